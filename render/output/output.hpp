@@ -1,0 +1,65 @@
+// Writers for pictures, videos and geometry. Every file appears under its name only when complete.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "render/image.hpp"
+#include "render/mesh.hpp"
+
+namespace spindrift::output {
+
+/// Writes an 8-bit RGB PNG tagged sRGB. @throws std::runtime_error naming the file and the reason.
+void write_png(const std::filesystem::path& file, const Image& image);
+
+/// Reads an 8-bit RGB PNG. @throws std::runtime_error naming the file and the reason.
+Image read_png(const std::filesystem::path& file);
+
+struct VideoSettings {
+  int width = 1280;  ///< pixels, even
+  int height = 720;  ///< pixels, even
+  int frames_per_second = 30;
+  int quality = 18;  ///< H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst
+};
+
+/// H.264 in MP4: yuv420p, BT.709 tagged, constant frame rate, index at the front.
+/// Frames go in one by one; the file appears under its name on finish() (or on destruction after at
+/// least one frame, so that an interrupted run leaves a video of what was finished).
+class VideoWriter {
+ public:
+  /// @throws std::runtime_error when the encoder is missing or the file can't be written.
+  VideoWriter(const std::filesystem::path& file, const VideoSettings& settings);
+  ~VideoWriter();
+  VideoWriter(const VideoWriter&) = delete;
+  VideoWriter& operator=(const VideoWriter&) = delete;
+
+  void add(const Image& image);
+  void finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Name and version of the H.264 encoder and of the libav libraries, for reports.
+std::string encoder_info();
+
+/// Binary little-endian PLY of a triangle mesh with vertex normals.
+void write_ply(const std::filesystem::path& file, const Mesh& mesh);
+
+/// Attributes of particles for write_ply; all spans are as long as `positions`, or empty.
+struct ParticleAttributes {
+  std::span<const glm::vec3> positions;   ///< m
+  std::span<const glm::vec3> velocities;  ///< m/s
+  std::span<const float> densities;       ///< kg/m³
+  std::span<const float> pressures;       ///< Pa
+};
+
+/// Binary little-endian PLY of particles: x y z [vx vy vz] [density] [pressure].
+void write_ply(const std::filesystem::path& file, const ParticleAttributes& particles);
+
+}  // namespace spindrift::output

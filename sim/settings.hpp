@@ -1,0 +1,95 @@
+// What a simulation is made from: plain data, SI units, every default stated.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <variant>
+#include <vector>
+
+namespace spindrift::sim {
+
+struct Box {
+  glm::vec3 min{0.f};  ///< m
+  glm::vec3 max{1.f};  ///< m
+};
+
+struct Sphere {
+  glm::vec3 center{0.f};  ///< m
+  float radius = 0.5f;    ///< m
+};
+
+struct Cylinder {
+  glm::vec3 from{0.f};          ///< centre of one end, m
+  glm::vec3 to{0.f, 1.f, 0.f};  ///< centre of the other end, m
+  float radius = 0.5f;          ///< m
+};
+
+using Shape = std::variant<Box, Sphere, Cylinder>;
+
+/// A region filled with liquid at the start: particles on a lattice of the fluid's spacing. In a
+/// box the first particle centre lies half a spacing inside `min`; in other shapes the lattice is
+/// centred on them.
+struct Volume {
+  Shape shape = Box{};
+  glm::vec3 velocity{0.f};  ///< initial velocity, m/s
+};
+
+struct FluidSettings {
+  float spacing =
+      0.025f;  ///< distance between particle centres at rest, m; support radius is 2 spacings
+  float rest_density = 1000.f;  ///< kg/m³
+  float viscosity = 0.01f;      ///< dynamic viscosity, Pa·s
+  std::vector<Volume> volumes{{Box{{0.f, 0.f, 0.f}, {1.f, 1.f, 0.8f}}, glm::vec3{0.f}}};
+};
+
+/// The closed box that holds the liquid; its inner faces.
+struct DomainSettings {
+  glm::vec3 min{0.f};               ///< m
+  glm::vec3 max{3.2f, 2.0f, 0.8f};  ///< m
+};
+
+/// A solid, fixed body.
+struct Obstacle {
+  Shape shape = Box{};
+};
+
+/// One key of a body acceleration that varies in time, linear in between, constant outside.
+struct AccelerationKey {
+  float time = 0.f;             ///< s
+  glm::vec3 acceleration{0.f};  ///< m/s²
+};
+
+struct ForceSettings {
+  glm::vec3 gravity{0.f, -9.81f, 0.f};  ///< m/s²
+  std::vector<AccelerationKey> body;    ///< added to gravity; none by default
+};
+
+enum class SolverType { pcisph, sph };
+enum class PressureKernel { cubic, spiky };
+
+struct SolverSettings {
+  SolverType type = SolverType::pcisph;
+  PressureKernel pressure_kernel = PressureKernel::cubic;
+  float max_compression =
+      0.02f;  ///< PCISPH: largest ρ/ρ₀ − 1 left over by any step; (1e-4 ... 0.5)
+  float mean_compression =
+      0.001f;  ///< PCISPH: mean of max(0, ρ/ρ₀ − 1) left over by any step; (1e-5 ... 0.5)
+  int min_iterations = 1;   ///< PCISPH: pressure iterations per step, at least
+  int max_iterations = 60;  ///< PCISPH: at most; a step not converged by then is repeated smaller
+  float speed_of_sound =
+      0.f;           ///< basic SPH: m/s; 0: ten times the fastest speed the scene can reach
+  float cfl = 0.4f;  ///< CFL number: largest v Δt / H, H the support radius; (0.01 ... 1)
+  float max_time_step = 0.005f;  ///< s
+  float min_time_step =
+      1e-7f;  ///< s; a step that would have to be smaller ends the run with an error
+};
+
+/// All that the simulation depends on. Nothing of how it is looked at.
+struct Settings {
+  FluidSettings fluid;
+  DomainSettings domain;
+  std::vector<Obstacle> obstacles;
+  ForceSettings forces;
+  SolverSettings solver;
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,80 @@
+// The liquid, advanced in time.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/settings.hpp"
+
+namespace spindrift::sim {
+
+/// Particle data at one instant, in the solver's order: with `next_time_step` all that is needed to
+/// go on from here to the same bytes.
+struct Frame {
+  double time = 0;                    ///< s
+  std::vector<glm::vec3> positions;   ///< m
+  std::vector<glm::vec3> velocities;  ///< m/s
+  std::vector<float>
+      densities;  ///< kg/m³, recomputed from the positions with the full neighbourhood
+  std::vector<float> pressures;    ///< Pa
+  std::vector<std::uint32_t> ids;  ///< the particle's number in the initial lattice
+  double next_time_step = 0;       ///< s
+};
+
+/// What happened between two frames, and the error measured at the second one.
+struct FrameStatistics {
+  int steps = 0;
+  int rejected_steps = 0;
+  std::int64_t iterations = 0;  ///< pressure iterations over all steps
+  double min_time_step = 0;     ///< s
+  double max_time_step = 0;     ///< s
+  double mean_compression =
+      0;  ///< mean of max(0, ρ/ρ₀ − 1) over the particles, from Frame::densities
+  double max_compression = 0;   ///< largest ρ/ρ₀ − 1
+  double max_speed = 0;         ///< m/s
+  double kinetic_energy = 0;    ///< J
+  double potential_energy = 0;  ///< J, against the domain's lowest corner along gravity
+  std::int64_t contacts = 0;    ///< particles stopped by a wall's surface rather than by pressure
+};
+
+struct PhaseTime {
+  std::string name;
+  double seconds = 0;
+  std::int64_t calls = 0;
+};
+
+class Simulation {
+ public:
+  /// Fills the volumes and samples the walls. @throws std::invalid_argument when nothing can be
+  /// simulated.
+  explicit Simulation(const Settings& settings);
+  /// Goes on from a frame of an earlier run with the same settings.
+  Simulation(const Settings& settings, const Frame& start);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Advances to `time` exactly. @throws std::runtime_error when no admissible time step exists.
+  FrameStatistics advance_to(double time);
+
+  Frame frame() const;
+  std::size_t particle_count() const;
+  std::size_t boundary_particle_count() const;
+  std::size_t memory_bytes() const;
+  std::vector<PhaseTime> phase_times() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Lattice positions and velocities of a scene's volumes, without building a simulation.
+struct InitialParticles {
+  std::vector<glm::vec3> positions, velocities;
+};
+InitialParticles fill_volumes(const Settings& settings);
+
+}  // namespace spindrift::sim
