@@ -1,6 +1,7 @@
 // The liquid, advanced in time.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -11,17 +12,19 @@
 
 namespace spindrift::sim {
 
-/// Particle data at one instant, in the solver's order: with `next_time_step` all that is needed to
+/// Particle data at one instant, in the solver's order: with `last_time_step` all that is needed to
 /// go on from here to the same bytes.
 struct Frame {
-  double time = 0;                    ///< s
-  std::vector<glm::vec3> positions;   ///< m
-  std::vector<glm::vec3> velocities;  ///< m/s
+  double time = 0;                   ///< s
+  std::vector<glm::vec3> positions;  ///< m
+  std::vector<glm::vec3>
+      velocities;  ///< over the step that ended here (leapfrog: at its middle), m/s
   std::vector<float>
       densities;  ///< kg/m³, recomputed from the positions with the full neighbourhood
-  std::vector<float> pressures;    ///< Pa
-  std::vector<std::uint32_t> ids;  ///< the particle's number in the initial lattice
-  double next_time_step = 0;       ///< s
+  std::vector<float> pressures;           ///< Pa
+  std::vector<std::uint32_t> ids;         ///< the particle's number in the initial lattice
+  std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa
+  double last_time_step = 0;              ///< of the step that ended here, s; 0 at the start
 };
 
 /// What happened between two frames, and the error measured at the second one.
@@ -58,7 +61,8 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Advances to `time` exactly. @throws std::runtime_error when no admissible time step exists.
-  FrameStatistics advance_to(double time);
+  /// When `stop` becomes true it returns early, between two frames' times; the state is then of no use.
+  FrameStatistics advance_to(double time, const std::atomic<bool>* stop = nullptr);
 
   Frame frame() const;
   std::size_t particle_count() const;

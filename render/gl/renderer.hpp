@@ -24,10 +24,10 @@ struct View {
 
 /// A directional light with a soft sky fill; it casts the shadow on the floor.
 struct LightSettings {
-  glm::vec3 direction{-0.4f, -1.f, -0.35f};  ///< the way the light travels; normalised on use
-  glm::vec3 color{1.f};                      ///< linear RGB
-  float intensity = 1.f;                     ///< relative
-  float ambient = 0.35f;                     ///< sky fill, relative to the light
+  glm::vec3 direction{-0.5f, -1.f, 0.3f};  ///< the way the light travels; normalised on use
+  glm::vec3 color{1.f};                    ///< linear RGB
+  float intensity = 0.8f;                  ///< relative
+  float ambient = 0.5f;                    ///< sky fill, relative to the light
   bool shadows = true;
 };
 

@@ -10,14 +10,18 @@ namespace spindrift::surface {
 
 /// How the liquid's surface is reconstructed. Lengths are relative to the particle spacing.
 struct SurfaceSettings {
-  float cell_size = 0.5f;  ///< edge of a marching-cubes cell, in particle spacings; (0.1 ... 2)
-  float iso_value = 0.5f;  ///< the field is 1 deep inside the liquid and 0 outside; (0.05 ... 0.95)
+  float cell_size = 0.5f;      ///< edge of a marching-cubes cell, in particle spacings; 0.1 ... 2
+  float kernel_radius = 2.5f;  ///< reach of a particle's kernel, in particle spacings; 1.5 ... 4
+  float iso_value = 0.5f;      ///< the field is 1 deep in the liquid and 0 outside; 0.2 ... 0.8
+  int smoothing = 5;           ///< iterations that take single particles' bumps off; 0 ... 100
 };
 
-/// Closed triangle mesh around the particles (Lorensen & Cline 1987), the same for every thread
-/// count.
+/// Closed, manifold triangle mesh around the particles, the same for every thread count.
+/// The surface lies about half a spacing outside the outermost particle centres.
 /// @param positions particle centres, m
 /// @param spacing   particle spacing, m
+/// @throw std::invalid_argument for settings out of range, and for a particle that is not finite or
+///        more than 2^20 cells or spacings away from the origin
 Mesh reconstruct_surface(std::span<const glm::vec3> positions, float spacing,
                          const SurfaceSettings& settings);
 

@@ -1,0 +1,49 @@
+#include <fmt/core.h>
+
+#include "app/commands.hpp"
+#include "app/estimate.hpp"
+
+namespace spindrift::app {
+namespace {
+
+std::string duration_text(double seconds) {
+  if (seconds < 100.) {
+    return fmt::format("{:.0f} s", seconds + 0.5);
+  }
+  return seconds < 6000. ? fmt::format("{:.0f} min", seconds / 60.)
+                         : fmt::format("{:.1f} h", seconds / 3600.);
+}
+
+}  // namespace
+
+int run_check(const Scene& scene, int threads, bool quiet, bool json) {
+  if (quiet) {
+    return done;
+  }
+  const Estimate cost = estimate(scene, threads);
+  const nlohmann::ordered_json resolved = to_json(scene);
+  if (json) {
+    const nlohmann::ordered_json report{{"scene", resolved},
+                                        {"simulation_hash", simulation_hash(scene)},
+                                        {"particles", cost.particles},
+                                        {"boundary_particles_about", cost.boundary_particles},
+                                        {"frames", scene.video.frame_count()},
+                                        {"memory_bytes_about", cost.bytes},
+                                        {"seconds_about", cost.seconds},
+                                        {"threads", threads}};
+    fmt::print("{}\n", report.dump(2));
+    return done;
+  }
+  fmt::print("{}\n", to_text(resolved));
+  fmt::print("particles   {} of liquid, about {} on walls and obstacles\n", cost.particles,
+             cost.boundary_particles);
+  fmt::print("pictures    {} of {}x{} pixels, {:g} s at {} per second\n", scene.video.frame_count(),
+             scene.video.width, scene.video.height, scene.video.duration,
+             scene.video.frames_per_second);
+  fmt::print("memory      about {:.0f} MB\n", cost.bytes / 1e6);
+  fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
+             threads == 1 ? "" : "s");
+  return done;
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,247 @@
+#include "app/command_line.hpp"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/nearest_name.hpp"
+
+namespace spindrift::app {
+namespace {
+
+/// All that can be typed; each command uses its part.
+struct Typed {
+  std::string scene;
+  std::string output;
+  std::string frames;
+  std::string from_particles;
+  std::vector<std::string> exports;
+  Overrides overrides;
+  int threads = 0;
+  bool no_cache = false;
+  bool quiet = false;
+  bool json = false;
+};
+
+/// Misuse of the command line; the message is for people.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+void add_scene_options(CLI::App& command, Typed& typed) {
+  command.add_option("scene", typed.scene, "Scene file")->required()->type_name("SCENE");
+  command.add_option("--set", typed.overrides, "Set a scene's value, as in fluid.viscosity=0.05")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--threads", typed.threads, "Threads; all of the machine's if left out")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", typed.quiet, "Print nothing but errors");
+  command.add_flag("--json", typed.json, "Print for machines");
+}
+
+void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::string>& exports) {
+  command.add_option("-o,--out", typed.output, "Folder for the results; out/<scene> if left out")
+      ->type_name("DIR");
+  command
+      .add_option("--export", typed.exports,
+                  fmt::format("Also write PLY files: {}", fmt::join(exports, ",")))
+      ->type_name("WHAT")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->check(CLI::IsMember(exports));
+  command.add_flag("--no-cache", typed.no_cache, "Simulate anew and keep no particles");
+}
+
+int parse_frame_number(const std::string& text, int if_empty) {
+  if (text.empty()) {
+    return if_empty;
+  }
+  const bool digits = text.size() < 9 && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? std::stoi(text) : -1;
+}
+
+/// "a:b" with either side left out for the first or last frame; "a" alone is that frame.
+std::optional<FrameRange> parse_frames(const std::string& text, int frame_count) {
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  const auto colon = text.find(':');
+  const std::string first = text.substr(0, colon);
+  const std::string last = colon == std::string::npos ? first : text.substr(colon + 1);
+  const FrameRange range{parse_frame_number(first, 0), parse_frame_number(last, frame_count - 1)};
+  if (range.first < 0 || range.first > range.last || range.last >= frame_count) {
+    throw UsageError(
+        fmt::format("--frames {}: expected FIRST:LAST within 0:{}", text, frame_count - 1));
+  }
+  return range;
+}
+
+std::string quoted(const std::string& word) {
+  const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+    return word;
+  }
+  std::string result = "'";
+  for (const char c : word) {
+    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return result + "'";
+}
+
+std::string command_as_typed(int argc, const char* const* argv) {
+  std::vector<std::string> words;
+  for (int i = 0; i < argc; ++i) {
+    words.push_back(quoted(argv[i]));
+  }
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+int run_typed_render(const Typed& typed, bool simulate_only, const std::string& hint) {
+  const Scene scene = read_scene(typed.scene, typed.overrides);
+  const auto exports = [&](std::string_view what) {
+    return std::find(typed.exports.begin(), typed.exports.end(), what) != typed.exports.end();
+  };
+  RenderOptions options;
+  options.output = typed.output.empty() ? std::filesystem::path("out") / scene.name
+                                        : std::filesystem::path(typed.output);
+  options.frames = parse_frames(typed.frames, scene.video.frame_count());
+  if (!typed.from_particles.empty()) {
+    if (!std::filesystem::is_directory(typed.from_particles)) {
+      throw UsageError(
+          fmt::format("--from-particles {}: there is no such folder", typed.from_particles));
+    }
+    options.from_particles = typed.from_particles;
+  }
+  options.export_meshes = exports("meshes");
+  options.export_particles = exports("particles");
+  options.cache = !typed.no_cache;
+  options.simulate_only = simulate_only;
+  options.threads = typed.threads;
+  options.quiet = typed.quiet;
+  options.json = typed.json;
+  options.command_line_hint = hint;
+  return run_render(scene, options);
+}
+
+/// The parser's complaint with the nearest valid name, where a name was mistyped.
+std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
+  const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error);
+  const auto unknown = app.remaining(true);
+  if (!extras || unknown.empty()) {
+    return error.what();
+  }
+  const std::string& word = unknown.front();
+  std::vector<std::string_view> names;
+  std::vector<std::string> storage;
+  const auto chosen = app.get_subcommands();
+  if (!word.starts_with("-") && chosen.empty()) {
+    for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+      if (!command->get_group().empty()) {
+        storage.push_back(command->get_name());
+      }
+    }
+    names.assign(storage.begin(), storage.end());
+    return fmt::format("unknown command \"{}\"; {}", word, suggestion(word, names));
+  }
+  if (!word.starts_with("-")) {
+    return fmt::format("\"{}\" is one word too many", word);
+  }
+  for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      storage.push_back("--" + name);
+    }
+  }
+  names.assign(storage.begin(), storage.end());
+  return fmt::format("unknown option {}; {}", word, suggestion(word, names));
+}
+
+int report(ExitCode code, const std::string& message) {
+  std::fflush(stdout);
+  fmt::print(stderr, "spindrift: {}\n", message);
+  return code;
+}
+
+int run_parsed(CLI::App& app, int argc, const char* const* argv) {
+  Typed typed;
+  CLI::App* render = app.add_subcommand("render", "Simulate a scene and make its video");
+  add_scene_options(*render, typed);
+  add_run_options(*render, typed, {"meshes", "particles"});
+  render->add_option("--frames", typed.frames, "Only these frames, from 0, both ends included")
+      ->type_name("FIRST:LAST");
+  render
+      ->add_option("--from-particles", typed.from_particles,
+                   "Draw the particles exported to this folder; nothing is simulated")
+      ->type_name("DIR");
+
+  CLI::App* simulate = app.add_subcommand("simulate", "Simulate a scene and keep its particles");
+  add_scene_options(*simulate, typed);
+  add_run_options(*simulate, typed, {"particles"});
+
+  CLI::App* check = app.add_subcommand("check", "Check a scene; print it resolved, and its cost");
+  add_scene_options(*check, typed);
+
+  CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
+  info->add_flag("--json", typed.json, "Print for machines");
+
+  CLI::App* schema = app.add_subcommand("schema", "Print the JSON schema of scene files");
+  schema->group("");  // for the makers of scenes/scene.schema.json
+
+  app.parse(argc, argv);
+  if (typed.threads == 0) {
+    typed.threads = omp_get_max_threads();
+  }
+  if (render->parsed() || simulate->parsed()) {
+    return run_typed_render(typed, simulate->parsed(), command_as_typed(argc, argv));
+  }
+  if (check->parsed()) {
+    return run_check(read_scene(typed.scene, typed.overrides), typed.threads, typed.quiet,
+                     typed.json);
+  }
+  if (info->parsed()) {
+    return run_info(typed.json);
+  }
+  if (schema->parsed()) {
+    return run_schema();
+  }
+  throw UsageError("a command is missing");
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  CLI::App app{"Spindrift turns a liquid scene file into a video, with no display.", "spindrift"};
+  app.set_version_flag("--version", "spindrift " SPINDRIFT_VERSION);
+  app.require_subcommand(0, 1);
+  app.footer("Scene files: scenes/*.json. Example: spindrift render scenes/dam_break.json");
+  try {
+    return run_parsed(app, argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // --help and --version
+      return app.exit(error);
+    }
+    return report(bad_usage, usage_message(app, error) + " (see spindrift --help)");
+  } catch (const UsageError& error) {
+    return report(bad_usage, std::string(error.what()) + " (see spindrift --help)");
+  } catch (const SceneError& error) {
+    return report(bad_usage, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(run_failed, "out of memory");
+  } catch (const std::exception& error) {
+    return report(run_failed, error.what());
+  }
+}
+
+}  // namespace spindrift::app

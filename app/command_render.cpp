@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "app/commands.hpp"
+#include "app/pipeline.hpp"
+#include "app/report.hpp"
+#include "render/output/atomic_file.hpp"
+
+namespace spindrift::app {
+namespace {
+
+/// Says what is left of a run that did not reach its end, and how to go on.
+void print_rest(const RenderOptions& options, const RunRecord& record, const char* reason) {
+  const std::string video =
+      options.simulate_only || record.frames_finished == 0
+          ? std::string()
+          : fmt::format("; {} plays them", (options.output / "video.mp4").string());
+  fmt::print(stderr, "spindrift: {} after {} of {} frames{}\n", reason, record.frames_finished,
+             record.frames_wanted, video);
+  if (options.cache && !options.from_particles)
+    fmt::print(stderr, "The same command goes on from where it stopped: {}\n",
+               options.command_line_hint);
+}
+
+void write_report(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
+  output::write_file(options.output / "run.json", report_json(scene, record).dump(1) + "\n");
+}
+
+}  // namespace
+
+int run_render(const Scene& scene, const RenderOptions& options) {
+  std::filesystem::create_directories(options.output);
+  RunRecord record;
+  try {
+    run_pipeline(scene, options, record);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "spindrift: {}\n", error.what());
+    print_rest(options, record, "stopped");
+    try {
+      write_report(scene, options, record);
+    } catch (const std::exception&) {
+      // What stopped the run, a full disk say, may keep the report from being written as well; the
+      // reason has been told.
+    }
+    return run_failed;
+  }
+  write_report(scene, options, record);
+  if (record.interrupted) {
+    print_rest(options, record, "interrupted");
+    return run_failed;
+  }
+  if (options.json)
+    fmt::print("{}\n", report_json(scene, record).dump(1));
+  else if (!options.quiet)
+    print_table(scene, options, record);
+  return done;
+}
+
+}  // namespace spindrift::app

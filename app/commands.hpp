@@ -1,0 +1,51 @@
+// The commands, one function each, in a file of its own. They return the exit code.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/scene.hpp"
+
+namespace spindrift::app {
+
+/// What a command tells the shell.
+enum ExitCode {
+  done = 0,
+  check_failed = 1,
+  bad_usage = 2,  ///< or bad input
+  run_failed = 3,
+};
+
+/// Frame numbers from 0, both ends included.
+struct FrameRange {
+  int first = 0;
+  int last = 0;
+};
+
+struct RenderOptions {
+  std::filesystem::path output;                         ///< folder of all results
+  std::optional<FrameRange> frames;                     ///< none: all
+  std::optional<std::filesystem::path> from_particles;  ///< folder of exported particles to draw
+  bool export_meshes = false;
+  bool export_particles = false;
+  bool cache = true;              ///< keep particles and use those kept
+  bool simulate_only = false;     ///< no meshes, pictures or video
+  int threads = 0;                ///< 0: as many as the machine has
+  bool quiet = false;             ///< nothing but errors
+  bool json = false;              ///< for machines
+  std::string command_line_hint;  ///< the command as typed, to say how to go on
+};
+
+int run_render(const Scene& scene, const RenderOptions& options);
+
+/// Prints the scene with all defaults filled in, and what it will cost.
+int run_check(const Scene& scene, int threads, bool quiet, bool json);
+
+/// Prints versions, processor, renderer and encoder.
+int run_info(bool json);
+
+/// Prints the JSON schema of scene files.
+int run_schema();
+
+}  // namespace spindrift::app

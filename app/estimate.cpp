@@ -1,0 +1,92 @@
+#include "app/estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+#include "sim/simulation.hpp"
+
+namespace spindrift::app {
+namespace {
+
+using std::numbers::pi;
+
+// Measured on ordinary scenes; rough by nature.
+constexpr double bytes_per_particle = 600.;  // its fields and its neighbour list
+constexpr double bytes_per_boundary_particle = 60.;
+constexpr double bytes_per_pixel = 80.;              // 4 samples of colour and depth, two copies
+constexpr double seconds_per_particle_step = 4e-6;   // of one thread
+constexpr double seconds_per_particle_frame = 2e-6;  // to find the surface and draw it
+constexpr double seconds_per_pixel_frame = 1.2e-7;   // to draw and write
+
+/// The fastest speed that falling through the domain and the volumes' own speeds give.
+double likely_speed(const sim::Settings& settings) {
+  const double gravity = glm::length(settings.forces.gravity);
+  const double height = settings.domain.max.y - settings.domain.min.y;
+  double start = 0.;
+  for (const sim::Volume& volume : settings.fluid.volumes) {
+    start = std::max(start, static_cast<double>(glm::length(volume.velocity)));
+  }
+  return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
+}
+
+}  // namespace
+
+double shape_volume(const sim::Shape& shape) {
+  if (const auto* box = std::get_if<sim::Box>(&shape)) {
+    const glm::dvec3 d = glm::dvec3(box->max) - glm::dvec3(box->min);
+    return d.x * d.y * d.z;
+  }
+  if (const auto* sphere = std::get_if<sim::Sphere>(&shape)) {
+    return 4. / 3. * pi * std::pow(static_cast<double>(sphere->radius), 3);
+  }
+  const auto& cylinder = std::get<sim::Cylinder>(shape);
+  const double radius = cylinder.radius;
+  return pi * radius * radius * glm::distance(glm::dvec3(cylinder.from), glm::dvec3(cylinder.to));
+}
+
+double shape_area(const sim::Shape& shape) {
+  if (const auto* box = std::get_if<sim::Box>(&shape)) {
+    const glm::dvec3 d = glm::dvec3(box->max) - glm::dvec3(box->min);
+    return 2. * (d.x * d.y + d.y * d.z + d.z * d.x);
+  }
+  if (const auto* sphere = std::get_if<sim::Sphere>(&shape)) {
+    return 4. * pi * std::pow(static_cast<double>(sphere->radius), 2);
+  }
+  const auto& cylinder = std::get<sim::Cylinder>(shape);
+  const double radius = cylinder.radius;
+  return 2. * pi * radius *
+         (radius + glm::distance(glm::dvec3(cylinder.from), glm::dvec3(cylinder.to)));
+}
+
+Estimate estimate(const Scene& scene, int threads) {
+  const sim::Settings& settings = scene.simulation;
+  const double spacing = settings.fluid.spacing;
+  double area = shape_area(sim::Box{settings.domain.min, settings.domain.max});
+  for (const sim::Obstacle& obstacle : settings.obstacles) {
+    area += shape_area(obstacle.shape);
+  }
+
+  Estimate result;
+  result.particles = sim::fill_volumes(settings).positions.size();
+  result.boundary_particles = static_cast<std::size_t>(area / (spacing * spacing));
+  const auto particles = static_cast<double>(result.particles);
+  const double pixels = static_cast<double>(scene.video.width) * scene.video.height;
+  result.bytes = particles * bytes_per_particle +
+                 static_cast<double>(result.boundary_particles) * bytes_per_boundary_particle +
+                 pixels * bytes_per_pixel;
+
+  const double frames = scene.video.frame_count();
+  const double step = std::min({static_cast<double>(settings.solver.max_time_step),
+                                settings.solver.cfl * 2. * spacing / likely_speed(settings),
+                                1. / scene.video.frames_per_second});
+  const double steps = std::max(scene.video.duration / step, frames);
+  result.seconds =
+      (steps * particles * seconds_per_particle_step +
+       frames * (particles * seconds_per_particle_frame + pixels * seconds_per_pixel_frame)) /
+      std::max(threads, 1);
+  return result;
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,103 @@
+#include "app/obstacle_mesh.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+namespace spindrift::app {
+namespace {
+
+constexpr unsigned around = 64;  // pieces of a full circle
+
+unsigned add_vertex(Mesh& mesh, const glm::vec3& position, const glm::vec3& normal) {
+  mesh.vertices.push_back(position);
+  mesh.normals.push_back(normal);
+  return static_cast<unsigned>(mesh.vertices.size() - 1);
+}
+
+/// Two triangles; a, b, c, d run counter-clockwise seen from outside.
+void add_quad(Mesh& mesh, unsigned a, unsigned b, unsigned c, unsigned d) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
+float angle(unsigned piece) {
+  return 2.f * std::numbers::pi_v<float> * static_cast<float>(piece) / static_cast<float>(around);
+}
+
+void add(Mesh& mesh, const sim::Box& box) {
+  const glm::vec3 center = 0.5f * (box.min + box.max), half = 0.5f * (box.max - box.min);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-1.f, 1.f}) {
+      glm::vec3 normal{0.f}, u{0.f}, v{0.f};
+      normal[axis] = side;
+      u[(axis + 1) % 3] = side;  // u × v = the outward normal on both sides
+      v[(axis + 2) % 3] = 1.f;
+      const auto corner = [&](float a, float b) {
+        return add_vertex(mesh, center + half * (normal + a * u + b * v), normal);
+      };
+      const unsigned a = corner(-1.f, -1.f), b = corner(1.f, -1.f), c = corner(1.f, 1.f),
+                     d = corner(-1.f, 1.f);
+      add_quad(mesh, a, b, c, d);
+    }
+  }
+}
+
+void add(Mesh& mesh, const sim::Sphere& sphere) {
+  constexpr unsigned rings = around / 2;
+  const auto first = static_cast<unsigned>(mesh.vertices.size());
+  for (unsigned ring = 0; ring <= rings; ++ring) {
+    const float polar = angle(ring);  // 0 at the top, π at the bottom
+    for (unsigned piece = 0; piece <= around; ++piece) {
+      const glm::vec3 normal{std::sin(polar) * std::cos(angle(piece)), std::cos(polar),
+                             -std::sin(polar) * std::sin(angle(piece))};
+      add_vertex(mesh, sphere.center + sphere.radius * normal, normal);
+    }
+  }
+  for (unsigned ring = 0; ring < rings; ++ring) {
+    for (unsigned piece = 0; piece < around; ++piece) {
+      const unsigned top = first + ring * (around + 1) + piece, low = top + around + 1;
+      if (ring > 0) {
+        mesh.triangles.push_back({top, low, top + 1});
+      }
+      if (ring + 1 < rings) {
+        mesh.triangles.push_back({top + 1, low, low + 1});
+      }
+    }
+  }
+}
+
+void add(Mesh& mesh, const sim::Cylinder& cylinder) {
+  const glm::vec3 axis = glm::normalize(cylinder.to - cylinder.from);
+  const glm::vec3 aside = std::abs(axis.y) < 0.9f ? glm::vec3{0.f, 1.f, 0.f} : glm::vec3{1, 0, 0};
+  const glm::vec3 u = glm::normalize(glm::cross(aside, axis)), v = glm::cross(axis, u);
+  const auto outward = [&](unsigned piece) {
+    return std::cos(angle(piece)) * u + std::sin(angle(piece)) * v;
+  };
+  const float radius = cylinder.radius;
+  for (unsigned piece = 0; piece < around; ++piece) {
+    const glm::vec3 n0 = outward(piece), n1 = outward(piece + 1);
+    add_quad(mesh, add_vertex(mesh, cylinder.from + radius * n0, n0),
+             add_vertex(mesh, cylinder.from + radius * n1, n1),
+             add_vertex(mesh, cylinder.to + radius * n1, n1),
+             add_vertex(mesh, cylinder.to + radius * n0, n0));
+    mesh.triangles.push_back({add_vertex(mesh, cylinder.to, axis),
+                              add_vertex(mesh, cylinder.to + radius * n0, axis),
+                              add_vertex(mesh, cylinder.to + radius * n1, axis)});
+    mesh.triangles.push_back({add_vertex(mesh, cylinder.from, -axis),
+                              add_vertex(mesh, cylinder.from + radius * n1, -axis),
+                              add_vertex(mesh, cylinder.from + radius * n0, -axis)});
+  }
+}
+
+}  // namespace
+
+Mesh tessellate(std::span<const sim::Obstacle> obstacles) {
+  Mesh mesh;
+  for (const sim::Obstacle& obstacle : obstacles) {
+    std::visit([&](const auto& shape) { add(mesh, shape); }, obstacle.shape);
+  }
+  return mesh;
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,306 @@
+#include "app/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <thread>
+
+#include "app/bounded_queue.hpp"
+#include "app/interrupt.hpp"
+#include "app/obstacle_mesh.hpp"
+#include "app/particle_source.hpp"
+#include "app/progress.hpp"
+#include "render/output/output.hpp"
+
+namespace spindrift::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Frames that may wait between two stages.
+constexpr std::size_t queue_capacity = 2;
+
+struct NumberedParticles {
+  int number = 0;
+  sim::Frame frame;
+};
+
+struct NumberedImage {
+  int number = 0;
+  Image image;
+};
+
+/// Adds the time it lives to a stage's sum.
+class StageTimer {
+ public:
+  explicit StageTimer(double& sum) : sum_(sum) {}
+  ~StageTimer() {
+    sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::vector<float> attribute_of(const sim::Frame& frame, gl::ColorBy color_by) {
+  if (color_by == gl::ColorBy::density)
+    return frame.densities;
+  if (color_by == gl::ColorBy::pressure)
+    return frame.pressures;
+  std::vector<float> speeds;
+  speeds.reserve(frame.velocities.size());
+  for (const glm::vec3 v : frame.velocities)
+    speeds.push_back(glm::length(v));
+  return speeds;
+}
+
+/// The values in the order of the particles' numbers, so that a particle has the same place in
+/// every file.
+template <class T>
+std::vector<T> by_number(const std::vector<T>& values, const std::vector<std::uint32_t>& ids) {
+  std::vector<T> ordered(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    ordered[ids[i]] = values[i];
+  return ordered;
+}
+
+void export_particles(const fs::path& file, const sim::Frame& frame) {
+  const auto positions = by_number(frame.positions, frame.ids);
+  const auto velocities = by_number(frame.velocities, frame.ids);
+  const auto densities = by_number(frame.densities, frame.ids);
+  const auto pressures = by_number(frame.pressures, frame.ids);
+  output::write_ply(file, output::ParticleAttributes{.positions = positions,
+                                                     .velocities = velocities,
+                                                     .densities = densities,
+                                                     .pressures = pressures});
+}
+
+/// Particles to picture. Lives in the drawing thread, since a GL context belongs to one thread.
+class DrawingStage {
+ public:
+  DrawingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
+      : scene_(scene),
+        options_(options),
+        meshing_(record.stage_seconds["mesh"]),
+        drawing_(record.stage_seconds["draw"]),
+        writing_(record.stage_seconds["export"]),
+        renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
+                  gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}) {
+    record.gl_renderer = renderer_.info().renderer;
+    record.gl_version = renderer_.info().version;
+    if (!scene.simulation.obstacles.empty())
+      renderer_.set_obstacles(tessellate(scene.simulation.obstacles));
+  }
+
+  Image draw(const NumberedParticles& particles) {
+    const float aspect =
+        static_cast<float>(scene_.video.width) / static_cast<float>(scene_.video.height);
+    const gl::View view =
+        view_at(scene_.camera, scene_.simulation.domain, aspect, particles.frame.time);
+    const float spacing = scene_.simulation.fluid.spacing;
+    const bool as_mesh = scene_.look.style == gl::Style::mesh;
+    Mesh mesh;
+    if (as_mesh || options_.export_meshes) {
+      const StageTimer timer(meshing_);
+      mesh = surface::reconstruct_surface(particles.frame.positions, spacing, scene_.surface);
+    }
+    export_geometry(particles, mesh);
+    const StageTimer timer(drawing_);
+    if (as_mesh)
+      return renderer_.draw(mesh, view);
+    const std::vector<float> attribute = attribute_of(particles.frame, scene_.look.color_by);
+    return renderer_.draw(gl::ParticleCloud{.positions = particles.frame.positions,
+                                            .attribute = attribute,
+                                            .radius = scene_.look.particle_radius * spacing},
+                          view);
+  }
+
+ private:
+  void export_geometry(const NumberedParticles& particles, const Mesh& mesh) {
+    if (!options_.export_meshes && !options_.export_particles)
+      return;
+    const StageTimer timer(writing_);
+    const std::string name = fmt::format("{:04}.ply", particles.number);
+    if (options_.export_meshes)
+      output::write_ply(options_.output / "meshes" / name, mesh);
+    if (options_.export_particles)
+      export_particles(options_.output / "particles_ply" / name, particles.frame);
+  }
+
+  const Scene& scene_;
+  const RenderOptions& options_;
+  double &meshing_, &drawing_, &writing_;
+  gl::Renderer renderer_;
+};
+
+/// Pictures to files.
+class WritingStage {
+ public:
+  WritingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
+      : folder_(options.output),
+        png_(record.stage_seconds["write PNG"]),
+        video_(record.stage_seconds["write MP4"]),
+        writer_(folder_ / "video.mp4",
+                output::VideoSettings{.width = scene.video.width,
+                                      .height = scene.video.height,
+                                      .frames_per_second = scene.video.frames_per_second,
+                                      .quality = scene.video.quality}) {}
+
+  void write(const NumberedImage& numbered) {
+    {
+      const StageTimer timer(png_);
+      output::write_png(folder_ / "frames" / fmt::format("{:04}.png", numbered.number),
+                        numbered.image);
+    }
+    const StageTimer timer(video_);
+    writer_.add(numbered.image);
+  }
+
+  void finish() {
+    const StageTimer timer(video_);
+    writer_.finish();
+  }
+
+ private:
+  fs::path folder_;
+  double &png_, &video_;
+  output::VideoWriter writer_;
+};
+
+/// The run's threads, and what they share.
+class Pipeline {
+ public:
+  Pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record)
+      : scene_(scene), options_(options), record_(record) {
+    // Named before the threads start, since a map must not grow under them.
+    for (const char* stage : {"simulate", "mesh", "draw", "export", "write PNG", "write MP4"})
+      record_.stage_seconds[stage] = 0;
+  }
+
+  void run(const FrameRange& range) {
+    ParticleSource source(scene_, options_);
+    Progress progress(scene_.name, range.last - range.first + 1, source.particle_count(),
+                      options_.quiet);
+    if (options_.simulate_only) {
+      simulate(source, range, progress);
+    } else {
+      make_folders();
+      std::thread drawing([&] { guarded([&] { draw_all(); }); });
+      std::thread writing([&] { guarded([&] { write_all(progress); }); });
+      guarded([&] { simulate(source, range, progress); });
+      particles_.close();
+      drawing.join();
+      images_.close();
+      writing.join();
+    }
+    source.finish(record_);
+    if (failure_)
+      std::rethrow_exception(failure_);
+  }
+
+ private:
+  /// Runs a stage; the first failure of any stage ends them all.
+  template <class F>
+  void guarded(F stage) {
+    try {
+      stage();
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex_);
+      if (!failure_)
+        failure_ = std::current_exception();
+      particles_.close();
+      images_.close();
+    }
+  }
+
+  void simulate(ParticleSource& source, const FrameRange& range, Progress& progress) {
+    for (int number = 0; number <= range.last; ++number) {
+      const StageTimer timer(record_.stage_seconds["simulate"]);
+      std::optional<KeptFrame> kept = source.next(number);
+      if (!kept) {
+        record_.interrupted = true;
+        return;
+      }
+      record_.frames.push_back(kept->statistics);
+      record_.times.push_back(kept->frame.time);
+      if (number < range.first)
+        continue;
+      if (options_.simulate_only) {
+        if (options_.export_particles) {
+          fs::create_directories(options_.output / "particles_ply");
+          export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
+                           kept->frame);
+        }
+        progress.show("simulating", ++record_.frames_finished);
+      } else if (!hand_over({number, std::move(kept->frame)})) {
+        return;
+      }
+    }
+  }
+
+  bool hand_over(NumberedParticles particles) { return particles_.push(std::move(particles)); }
+
+  void draw_all() {
+    if (options_.threads > 0)
+      omp_set_num_threads(options_.threads);  // holds for one thread's loops
+    DrawingStage stage(scene_, options_, record_);
+    while (auto particles = particles_.pop()) {
+      if (InterruptGuard::requested())
+        break;
+      if (!images_.push({particles->number, stage.draw(*particles)}))
+        break;
+    }
+    images_.close();
+  }
+
+  void write_all(Progress& progress) {
+    WritingStage stage(scene_, options_, record_);
+    while (auto image = images_.pop()) {
+      stage.write(*image);
+      progress.show("rendering", ++record_.frames_finished);
+    }
+    if (record_.frames_finished > 0)
+      stage.finish();
+  }
+
+  void make_folders() {
+    fs::create_directories(options_.output / "frames");
+    if (options_.export_meshes)
+      fs::create_directories(options_.output / "meshes");
+    if (options_.export_particles)
+      fs::create_directories(options_.output / "particles_ply");
+    // Pictures beyond the end of this scene are left from a longer run of it.
+    for (int number = scene_.video.frame_count();; ++number)
+      if (!fs::remove(options_.output / "frames" / fmt::format("{:04}.png", number)))
+        break;
+  }
+
+  const Scene& scene_;
+  const RenderOptions& options_;
+  RunRecord& record_;
+  BoundedQueue<NumberedParticles> particles_{queue_capacity};
+  BoundedQueue<NumberedImage> images_{queue_capacity};
+  std::exception_ptr failure_;
+  std::mutex failure_mutex_;
+};
+
+}  // namespace
+
+void run_pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record) {
+  if (options.threads > 0)
+    omp_set_num_threads(options.threads);
+  const InterruptGuard interrupt;
+  const FrameRange range = options.frames.value_or(FrameRange{0, scene.video.frame_count() - 1});
+  record.first_frame = range.first;
+  record.frames_wanted = range.last - range.first + 1;
+  StageTimer timer(record.wall_seconds);
+  Pipeline(scene, options, record).run(range);
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,37 @@
+// From particles to files: simulate → mesh → draw → write, each stage in a thread of its own, so
+// that the next frame is simulated while the last one is drawn and written.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/particle_cache.hpp"
+#include "sim/simulation.hpp"
+
+namespace spindrift::app {
+
+/// What a run did, for reports.
+struct RunRecord {
+  std::size_t particles = 0;
+  std::size_t boundary_particles = 0;
+  std::size_t simulation_bytes = 0;  ///< 0: all particles came from the cache
+  int first_frame = 0;
+  int frames_wanted = 0;
+  int frames_simulated = 0;  ///< the rest came from the cache
+  int frames_finished = 0;   ///< drawn and written, or simulated where nothing is drawn
+  bool interrupted = false;
+  double wall_seconds = 0;
+  std::map<std::string, double> stage_seconds;  ///< wall time in each stage; stages overlap
+  std::vector<sim::PhaseTime> simulation_phases;
+  std::vector<sim::FrameStatistics> frames;  ///< one for each frame from 0 to the last one reached
+  std::vector<double> times;                 ///< of those frames, s
+  std::string gl_renderer, gl_version;       ///< empty: nothing was drawn
+};
+
+/// Runs the scene as the options say. What is finished when an error or Ctrl-C comes stays, and the
+/// video is closed so that it plays. @throws what the failing stage threw
+void run_pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record);
+
+}  // namespace spindrift::app

@@ -1,0 +1,112 @@
+#include "app/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/progress.hpp"
+#include "render/output/output.hpp"
+
+namespace spindrift::app {
+namespace {
+
+/// Largest of one figure over all frames.
+double worst(const std::vector<sim::FrameStatistics>& frames,
+             double sim::FrameStatistics::*figure) {
+  double value = 0;
+  for (const auto& f : frames)
+    value = std::max(value, f.*figure);
+  return value;
+}
+
+std::int64_t total(const std::vector<sim::FrameStatistics>& frames, auto figure) {
+  std::int64_t sum = 0;
+  for (const auto& f : frames)
+    sum += f.*figure;
+  return sum;
+}
+
+nlohmann::ordered_json frames_json(const RunRecord& record) {
+  auto frames = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < record.frames.size(); ++k) {
+    const sim::FrameStatistics& f = record.frames[k];
+    frames.push_back({{"frame", k},
+                      {"time", record.times[k]},
+                      {"steps", f.steps},
+                      {"rejected_steps", f.rejected_steps},
+                      {"iterations", f.iterations},
+                      {"min_time_step", f.min_time_step},
+                      {"max_time_step", f.max_time_step},
+                      {"mean_compression", f.mean_compression},
+                      {"max_compression", f.max_compression},
+                      {"max_speed", f.max_speed},
+                      {"kinetic_energy", f.kinetic_energy},
+                      {"potential_energy", f.potential_energy},
+                      {"contacts", f.contacts}});
+  }
+  return frames;
+}
+
+}  // namespace
+
+nlohmann::ordered_json versions_json() {
+  return {{"spindrift", SPINDRIFT_VERSION},
+          {"compiler", SPINDRIFT_COMPILER},
+          {"encoder", output::encoder_info()}};
+}
+
+nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) {
+  nlohmann::ordered_json json;
+  json["name"] = scene.name;
+  json["complete"] = !record.interrupted && record.frames_finished == record.frames_wanted;
+  json["versions"] = versions_json();
+  json["gl"] = {{"renderer", record.gl_renderer}, {"version", record.gl_version}};
+  json["simulation_hash"] = simulation_hash(scene);
+  json["particles"] = record.particles;
+  json["boundary_particles"] = record.boundary_particles;
+  json["simulation_bytes"] = record.simulation_bytes;
+  json["first_frame"] = record.first_frame;
+  json["frames_wanted"] = record.frames_wanted;
+  json["frames_finished"] = record.frames_finished;
+  json["frames_simulated"] = record.frames_simulated;
+  json["wall_seconds"] = record.wall_seconds;
+  json["stage_seconds"] = record.stage_seconds;
+  auto phases = nlohmann::ordered_json::object();
+  for (const auto& phase : record.simulation_phases)
+    phases[phase.name] = {{"seconds", phase.seconds}, {"calls", phase.calls}};
+  json["simulation_phases"] = phases;
+  json["steps"] = total(record.frames, &sim::FrameStatistics::steps);
+  json["rejected_steps"] = total(record.frames, &sim::FrameStatistics::rejected_steps);
+  json["iterations"] = total(record.frames, &sim::FrameStatistics::iterations);
+  json["worst_mean_compression"] = worst(record.frames, &sim::FrameStatistics::mean_compression);
+  json["worst_max_compression"] = worst(record.frames, &sim::FrameStatistics::max_compression);
+  json["frames"] = frames_json(record);
+  json["scene"] = to_json(scene);
+  return json;
+}
+
+void print_table(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
+  const auto steps = total(record.frames, &sim::FrameStatistics::steps);
+  const auto iterations = total(record.frames, &sim::FrameStatistics::iterations);
+  fmt::print("{}: {} particles, {} of {} frames in {}\n", scene.name, record.particles,
+             record.frames_finished, record.frames_wanted, duration_text(record.wall_seconds));
+  fmt::print("  {:<12} {:>9} {:>12}\n", "stage", "seconds", "ms a frame");
+  for (const auto& [stage, seconds] : record.stage_seconds)
+    if (seconds > 0)
+      fmt::print("  {:<12} {:>9.2f} {:>12.1f}\n", stage, seconds,
+                 1000 * seconds / std::max(1, record.frames_finished));
+  fmt::print(
+      "  stages overlap; {} of {} frames were simulated now, the rest were kept from before\n",
+      record.frames_simulated, record.frames.size());
+  fmt::print(
+      "  {} steps, {:.2f} pressure iterations a step, {} steps repeated smaller\n", steps,
+      static_cast<double>(iterations) / static_cast<double>(std::max<std::int64_t>(1, steps)),
+      total(record.frames, &sim::FrameStatistics::rejected_steps));
+  fmt::print("  density error, worst frame: mean compression {:.3f} %, largest {:.2f} %\n",
+             100 * worst(record.frames, &sim::FrameStatistics::mean_compression),
+             100 * worst(record.frames, &sim::FrameStatistics::max_compression));
+  if (!options.simulate_only)
+    fmt::print("  {}\n", (options.output / "video.mp4").string());
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,16 @@
+// What a run leaves to read: run.json for machines, a closing table for people.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/pipeline.hpp"
+
+namespace spindrift::app {
+
+nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record);
+void print_table(const Scene& scene, const RenderOptions& options, const RunRecord& record);
+
+/// Version of the program, of its compiler and of what it writes with.
+nlohmann::ordered_json versions_json();
+
+}  // namespace spindrift::app

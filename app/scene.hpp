@@ -1,0 +1,71 @@
+// A scene: the settings of every stage, read from a scene file and checked as a whole.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/camera.hpp"
+#include "render/gl/renderer.hpp"
+#include "render/surface/surface.hpp"
+#include "sim/settings.hpp"
+
+namespace spindrift::app {
+
+/// The pictures' size and number.
+struct VideoConfig {
+  int width = 1280;            ///< pixels, even
+  int height = 720;            ///< pixels, even
+  int frames_per_second = 30;  ///< 1/s; also how often the particles are kept
+  double duration = 4.0;       ///< s
+  int quality = 18;            ///< H.264 constant rate factor, 0 ... 51, less is better
+
+  int frame_count() const { return static_cast<int>(std::lround(duration * frames_per_second)); }
+};
+
+struct Scene {
+  std::string name;          ///< of the default output folder
+  sim::Settings simulation;  ///< all that moves the liquid; nothing else below does
+  surface::SurfaceSettings surface;
+  CameraSettings camera;
+  gl::LightSettings light;
+  gl::LookSettings look;
+  VideoConfig video;
+};
+
+/// A scene that can't be used. The message is one sentence for people: the place, what was found
+/// and what is accepted.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One `--set KEY=VALUE` from the command line, as typed.
+using Overrides = std::vector<std::string>;
+
+/// Reads, completes and checks a scene file. @throws SceneError
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
+
+/// The same for text; `source` names it in messages, and its stem is the default scene name.
+Scene parse_scene(std::string_view text, const std::filesystem::path& source,
+                  const Overrides& overrides = {});
+
+/// The resolved scene: every key, in the order of the tables, in the form of a scene file.
+nlohmann::ordered_json to_json(const Scene& scene);
+
+/// JSON laid out for people: what fits stands on one line.
+std::string to_text(const nlohmann::ordered_json& json);
+
+/// JSON schema (draft 7) of scene files.
+nlohmann::ordered_json scene_schema();
+
+/// 128 bits in hexadecimal of all that the particles of a scene depend on: the simulation's
+/// settings and the times at which they are kept. The name, the camera, the look, the light and the
+/// video's size, quality and duration leave it as it is.
+std::string simulation_hash(const Scene& scene);
+
+}  // namespace spindrift::app

@@ -1,0 +1,209 @@
+#include "app/scene_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/estimate.hpp"
+#include "sim/simulation.hpp"
+
+namespace spindrift::app {
+namespace {
+
+constexpr double most_particles = 2e8;
+constexpr float most_spacings_from_origin = 1e5f;  // single precision places them no better
+
+std::string text_of(const glm::vec3& v) {
+  return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
+}
+
+class Checker {
+ public:
+  Checker(const Scene& scene, const SceneDocument& document) : scene_(scene), document_(document) {}
+
+  void check() const {
+    check_name();
+    check_domain();
+    check_obstacles();
+    check_volumes();
+    check_forces_and_solver();
+    check_picture();
+    check_camera();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
+    throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
+  }
+
+  void check_name() const {
+    const std::string& name = scene_.name;
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
+      fail("name", fmt::format("\"{}\" can't name a folder", name));
+    }
+  }
+
+  void check_box(const sim::Box& box, const std::string& path) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(box.min[axis] < box.max[axis])) {
+        fail(path, fmt::format("min {} is not below max {} in {}", text_of(box.min),
+                               text_of(box.max), "xyz"[axis]));
+      }
+    }
+  }
+
+  void check_shape(const sim::Shape& shape, const std::string& path) const {
+    if (const auto* box = std::get_if<sim::Box>(&shape)) {
+      check_box(*box, child_path(path, "box"));
+    } else if (const auto* cylinder = std::get_if<sim::Cylinder>(&shape)) {
+      if (cylinder->from == cylinder->to) {
+        fail(child_path(path, "cylinder"), "from and to are the same point");
+      }
+    }
+  }
+
+  void check_domain() const {
+    const auto& domain = scene_.simulation.domain;
+    const float spacing = scene_.simulation.fluid.spacing;
+    check_box({domain.min, domain.max}, "domain");
+    for (int axis = 0; axis < 3; ++axis) {
+      const float width = domain.max[axis] - domain.min[axis];
+      if (width < 4.f * spacing * 0.999f) {
+        fail("domain", fmt::format("{:g} m wide in {}; at least 4 particle spacings ({:g} m) are "
+                                   "needed",
+                                   width, "xyz"[axis], 4.f * spacing));
+      }
+      const float reach = std::max(std::abs(domain.min[axis]), std::abs(domain.max[axis]));
+      if (reach > most_spacings_from_origin * spacing) {
+        fail("domain", fmt::format("reaches {:g} m from the origin in {}; at most {:.0f} particle "
+                                   "spacings ({:g} m) are accepted",
+                                   reach, "xyz"[axis], most_spacings_from_origin,
+                                   most_spacings_from_origin * spacing));
+      }
+    }
+  }
+
+  void check_obstacles() const {
+    const auto& obstacles = scene_.simulation.obstacles;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      check_shape(obstacles[i].shape, child_path("obstacles", i));
+    }
+  }
+
+  /// Every volume holds particles, and all their centres lie in the domain.
+  void check_volumes() const {
+    const auto& fluid = scene_.simulation.fluid;
+    if (fluid.volumes.empty()) {
+      fail("fluid.volumes", "empty; at least one volume of liquid is needed");
+    }
+    const double cell = std::pow(static_cast<double>(fluid.spacing), 3);
+    double count = 0.;
+    for (std::size_t i = 0; i < fluid.volumes.size(); ++i) {
+      check_shape(fluid.volumes[i].shape, child_path("fluid.volumes", i));
+      count += shape_volume(fluid.volumes[i].shape) / cell;
+    }
+    if (count > most_particles) {
+      fail("fluid.spacing", fmt::format("{:g} m makes about {:.2g} particles; at most {:.0e} are "
+                                        "accepted",
+                                        fluid.spacing, count, most_particles));
+    }
+    for (std::size_t i = 0; i < fluid.volumes.size(); ++i) {
+      check_particles(fluid.volumes[i], child_path("fluid.volumes", i));
+    }
+  }
+
+  void check_particles(const sim::Volume& volume, const std::string& path) const {
+    const auto& domain = scene_.simulation.domain;
+    const float spacing = scene_.simulation.fluid.spacing;
+    sim::Settings alone = scene_.simulation;
+    alone.fluid.volumes = {volume};
+    const auto particles = sim::fill_volumes(alone);
+    if (particles.positions.empty()) {
+      fail(path, fmt::format("holds no particle at a spacing of {:g} m", spacing));
+    }
+    const float tolerance = 1e-3f * spacing;
+    for (const glm::vec3& p : particles.positions) {
+      if (glm::any(glm::lessThan(p, domain.min - tolerance)) ||
+          glm::any(glm::greaterThan(p, domain.max + tolerance))) {
+        fail(path, fmt::format("the particle at {} is outside the domain {} ... {}", text_of(p),
+                               text_of(domain.min), text_of(domain.max)));
+      }
+    }
+  }
+
+  template <class Key>
+  void check_times(const std::vector<Key>& keys, const std::string& path) const {
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      if (!(keys[i - 1].time < keys[i].time)) {
+        fail(child_path(child_path(path, i), "time"),
+             fmt::format("{:g} s is not after the key before it ({:g} s)", keys[i].time,
+                         keys[i - 1].time));
+      }
+    }
+  }
+
+  void check_forces_and_solver() const {
+    check_times(scene_.simulation.forces.body, "forces.body");
+    const auto& solver = scene_.simulation.solver;
+    if (solver.min_iterations > solver.max_iterations) {
+      fail("solver.min_iterations", fmt::format("{} is above max_iterations ({})",
+                                                solver.min_iterations, solver.max_iterations));
+    }
+    if (solver.min_time_step > solver.max_time_step) {
+      fail("solver.min_time_step", fmt::format("{:g} s is above max_time_step ({:g} s)",
+                                               solver.min_time_step, solver.max_time_step));
+    }
+  }
+
+  void check_picture() const {
+    const VideoConfig& video = scene_.video;
+    if (video.width % 2 != 0) {
+      fail("video.width", fmt::format("{} is odd; accepted: even numbers", video.width));
+    }
+    if (video.height % 2 != 0) {
+      fail("video.height", fmt::format("{} is odd; accepted: even numbers", video.height));
+    }
+    if (video.duration * video.frames_per_second > 1e6 || video.frame_count() < 1) {
+      fail("video.duration",
+           fmt::format("{:g} s at {} frames per second are {:.0f} frames; accepted: 1 ... 1000000",
+                       video.duration, video.frames_per_second,
+                       video.duration * video.frames_per_second));
+    }
+    if (glm::length(scene_.light.direction) < 1e-6f) {
+      fail("light.direction", "has no length");
+    }
+    if (scene_.look.color_min > scene_.look.color_max) {
+      fail("look.color_min", fmt::format("{:g} is above color_max ({:g})", scene_.look.color_min,
+                                         scene_.look.color_max));
+    }
+  }
+
+  void check_camera() const {
+    const auto& keys = scene_.camera.keyframes;
+    check_times(keys, "camera.keyframes");
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const std::string path = child_path("camera.keyframes", i);
+      const glm::vec3 forward = keys[i].target - keys[i].position;
+      if (glm::length(forward) < 1e-6f) {
+        fail(path, "position and target are the same point");
+      }
+      const glm::vec3 across = glm::cross(glm::normalize(forward), keys[i].up);
+      if (glm::length(across) < 1e-4f * glm::length(keys[i].up) || glm::length(keys[i].up) == 0.f) {
+        fail(path, fmt::format("up {} is along the view from {} to {}", text_of(keys[i].up),
+                               text_of(keys[i].position), text_of(keys[i].target)));
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const SceneDocument& document_;
+};
+
+}  // namespace
+
+void check_scene(const Scene& scene, const SceneDocument& document) {
+  Checker(scene, document).check();
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,12 @@
+// What can only be seen with the whole scene in hand.
+#pragma once
+
+#include "app/scene.hpp"
+#include "app/scene_document.hpp"
+
+namespace spindrift::app {
+
+/// Checks that the settings fit together. @throws SceneError that names the value's place.
+void check_scene(const Scene& scene, const SceneDocument& document);
+
+}  // namespace spindrift::app

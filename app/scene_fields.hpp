@@ -1,0 +1,241 @@
+// The scene file's keys: one table per section. The reader, the resolved dump, the JSON schema and
+// the hash are all made from these tables; a key stands nowhere else.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "app/scene.hpp"
+
+namespace spindrift::app {
+
+/// Accepted numbers, both ends included; for vectors, each component.
+struct Range {
+  double min = 0.;
+  double max = 0.;
+};
+
+enum class Presence { optional, required };
+
+/// One key: its place in the settings, what it may be, and what it is. A field without a key puts
+/// the keys of its own type (a struct's fields, or a variant's alternatives) into its owner's.
+template <class Owner, class Value>
+struct Field {
+  std::string_view key;
+  Value Owner::*member;
+  std::string_view about = {};
+  Range range = {};
+  std::string_view unit = {};
+  Presence presence = Presence::optional;
+};
+
+template <class Owner, class Value>
+Field(std::string_view, Value Owner::*, std::string_view = {}, Range = {}, std::string_view = {},
+      Presence = Presence::optional) -> Field<Owner, Value>;
+
+template <class T>
+inline constexpr std::tuple<> table{};
+
+template <class T>
+concept Section = std::tuple_size_v<decltype(table<T>)>
+!= 0;
+
+/// Calls f with every field of a section's table, in order.
+template <Section T, class F>
+void for_each_field(F&& f) {
+  std::apply([&](const auto&... field) { (f(field), ...); }, table<T>);
+}
+
+/// Names of an enumeration's values, in the order of the values, which count from 0.
+template <class E>
+inline constexpr std::array<std::string_view, 0> value_names{};
+template <>
+inline constexpr std::array<std::string_view, 2> value_names<sim::SolverType>{"pcisph", "sph"};
+template <>
+inline constexpr std::array<std::string_view, 2> value_names<sim::PressureKernel>{"cubic", "spiky"};
+template <>
+inline constexpr std::array<std::string_view, 2> value_names<gl::Style>{"mesh", "particles"};
+template <>
+inline constexpr std::array<std::string_view, 3> value_names<gl::ColorBy>{"speed", "density",
+                                                                          "pressure"};
+
+/// Keys of the alternatives of sim::Shape, in its order.
+inline constexpr std::array<std::string_view, 3> shape_names{"box", "sphere", "cylinder"};
+
+inline constexpr Range places{-1e5, 1e5};   // m
+inline constexpr Range lengths{1e-6, 1e5};  // m
+inline constexpr Range speeds{-1e3, 1e3};   // m/s
+inline constexpr Range times{0., 1e5};      // s
+inline constexpr Range directions{-1e6, 1e6};
+inline constexpr Range colors{0., 1.};
+inline constexpr Range accelerations{-1e4, 1e4};  // m/s²
+
+template <>
+inline constexpr auto table<sim::Box> =
+    std::tuple{Field{"min", &sim::Box::min, "lowest corner", places, "m", Presence::required},
+               Field{"max", &sim::Box::max, "highest corner", places, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Sphere> =
+    std::tuple{Field{"center", &sim::Sphere::center, "centre", places, "m", Presence::required},
+               Field{"radius", &sim::Sphere::radius, "radius", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Cylinder> = std::tuple{
+    Field{"from", &sim::Cylinder::from, "centre of one end", places, "m", Presence::required},
+    Field{"to", &sim::Cylinder::to, "centre of the other end", places, "m", Presence::required},
+    Field{"radius", &sim::Cylinder::radius, "radius", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Volume> =
+    std::tuple{Field{"", &sim::Volume::shape},
+               Field{"velocity", &sim::Volume::velocity, "initial velocity", speeds, "m/s"}};
+
+template <>
+inline constexpr auto table<sim::FluidSettings> = std::tuple{
+    Field{"spacing", &sim::FluidSettings::spacing, "distance between particle centres at rest",
+          Range{1e-6, 100.}, "m"},
+    Field{"rest_density", &sim::FluidSettings::rest_density, "density of the liquid at rest",
+          Range{1e-3, 1e5}, "kg/m³"},
+    Field{"viscosity", &sim::FluidSettings::viscosity, "dynamic viscosity", Range{0., 1e4}, "Pa·s"},
+    Field{"volumes", &sim::FluidSettings::volumes,
+          "regions filled with liquid at the start; a box's outermost particle centres lie half a "
+          "spacing inside its faces"}};
+
+template <>
+inline constexpr auto table<sim::DomainSettings> =
+    std::tuple{Field{"min", &sim::DomainSettings::min, "lowest corner, inner faces", places, "m"},
+               Field{"max", &sim::DomainSettings::max, "highest corner, inner faces", places, "m"}};
+
+template <>
+inline constexpr auto table<sim::Obstacle> = std::tuple{Field{"", &sim::Obstacle::shape}};
+
+template <>
+inline constexpr auto table<sim::AccelerationKey> = std::tuple{
+    Field{"time", &sim::AccelerationKey::time, "time of the key", times, "s", Presence::required},
+    Field{"acceleration", &sim::AccelerationKey::acceleration,
+          "body acceleration at that time, linear in between", accelerations, "m/s²",
+          Presence::required}};
+
+template <>
+inline constexpr auto table<sim::ForceSettings> = std::tuple{
+    Field{"gravity", &sim::ForceSettings::gravity, "gravity", accelerations, "m/s²"},
+    Field{"body", &sim::ForceSettings::body,
+          "acceleration that varies in time, added to gravity, by keys in the order of their "
+          "times"}};
+
+template <>
+inline constexpr auto table<sim::SolverSettings> = std::tuple{
+    Field{"type", &sim::SolverSettings::type,
+          "pcisph: predictive-corrective incompressible SPH; sph: basic SPH with an equation of "
+          "state"},
+    Field{"pressure_kernel", &sim::SolverSettings::pressure_kernel,
+          "kernel of the pressure gradient"},
+    Field{"max_compression", &sim::SolverSettings::max_compression,
+          "largest relative compression that a step may leave over (pcisph)", Range{1e-4, 0.5}},
+    Field{"mean_compression", &sim::SolverSettings::mean_compression,
+          "mean relative compression that a step may leave over (pcisph)", Range{1e-5, 0.5}},
+    Field{"min_iterations", &sim::SolverSettings::min_iterations,
+          "pressure iterations per step, at least (pcisph)", Range{1, 1000}},
+    Field{"max_iterations", &sim::SolverSettings::max_iterations,
+          "pressure iterations per step, at most; a step not converged by then is repeated smaller "
+          "(pcisph)",
+          Range{1, 10000}},
+    Field{"speed_of_sound", &sim::SolverSettings::speed_of_sound,
+          "of the equation of state; 0: ten times the fastest speed the scene can reach (sph)",
+          Range{0., 1e5}, "m/s"},
+    Field{"cfl", &sim::SolverSettings::cfl,
+          "largest part of the support radius that a particle may cross in a step",
+          Range{0.01, 1.}},
+    Field{"max_time_step", &sim::SolverSettings::max_time_step, "longest step", Range{1e-9, 10.},
+          "s"},
+    Field{"min_time_step", &sim::SolverSettings::min_time_step,
+          "a step that would have to be shorter ends the run", Range{1e-12, 10.}, "s"}};
+
+template <>
+inline constexpr auto table<sim::Settings> =
+    std::tuple{Field{"fluid", &sim::Settings::fluid, "the liquid and where it starts"},
+               Field{"domain", &sim::Settings::domain, "the closed box that holds the liquid"},
+               Field{"obstacles", &sim::Settings::obstacles, "solid, fixed bodies"},
+               Field{"forces", &sim::Settings::forces, "what moves the liquid"},
+               Field{"solver", &sim::Settings::solver, "how the motion is computed"}};
+
+template <>
+inline constexpr auto table<surface::SurfaceSettings> = std::tuple{
+    Field{"cell_size", &surface::SurfaceSettings::cell_size, "edge of a marching-cubes cell",
+          Range{0.1, 2.}, "particle spacings"},
+    Field{"kernel_radius", &surface::SurfaceSettings::kernel_radius,
+          "reach of a particle in the field", Range{1.5, 4.}, "particle spacings"},
+    Field{"iso_value", &surface::SurfaceSettings::iso_value,
+          "value of the field at the surface; 1 deep in the liquid, 0 outside", Range{0.2, 0.8}},
+    Field{"smoothing", &surface::SurfaceSettings::smoothing,
+          "iterations that take single particles' bumps off", Range{0, 100}}};
+
+template <>
+inline constexpr auto table<CameraKey> = std::tuple{
+    Field{"time", &CameraKey::time, "time of the key", times, "s"},
+    Field{"position", &CameraKey::position, "where the camera is", places, "m", Presence::required},
+    Field{"target", &CameraKey::target, "the point in the picture's centre", places, "m",
+          Presence::required},
+    Field{"up", &CameraKey::up, "the way that is up in the picture", directions},
+    Field{"vertical_fov", &CameraKey::vertical_fov, "angle from the picture's lower to upper edge",
+          Range{5., 120.}, "degrees"}};
+
+template <>
+inline constexpr auto table<CameraSettings> = std::tuple{
+    Field{"keyframes", &CameraSettings::keyframes,
+          "the camera's way, in the order of the times; empty: the whole domain is shown"}};
+
+template <>
+inline constexpr auto table<gl::LightSettings> = std::tuple{
+    Field{"direction", &gl::LightSettings::direction, "the way the light travels", directions},
+    Field{"color", &gl::LightSettings::color, "linear RGB", colors},
+    Field{"intensity", &gl::LightSettings::intensity, "relative brightness", Range{0., 100.}},
+    Field{"ambient", &gl::LightSettings::ambient, "sky fill, relative to the light",
+          Range{0., 10.}},
+    Field{"shadows", &gl::LightSettings::shadows, "whether the light casts shadows"}};
+
+template <>
+inline constexpr auto table<gl::LookSettings> = std::tuple{
+    Field{"style", &gl::LookSettings::style, "the liquid as a surface or as lit spheres"},
+    Field{"liquid_color", &gl::LookSettings::liquid_color, "sRGB", colors},
+    Field{"shininess", &gl::LookSettings::shininess, "Phong exponent", Range{1., 2000.}},
+    Field{"specular", &gl::LookSettings::specular, "strength of the highlight", Range{0., 1.}},
+    Field{"background_top", &gl::LookSettings::background_top, "sRGB", colors},
+    Field{"background_bottom", &gl::LookSettings::background_bottom, "sRGB", colors},
+    Field{"floor_color", &gl::LookSettings::floor_color, "sRGB", colors},
+    Field{"floor", &gl::LookSettings::floor, "whether the floor is drawn"},
+    Field{"walls", &gl::LookSettings::walls, "whether the domain's edges are drawn"},
+    Field{"obstacle_color", &gl::LookSettings::obstacle_color, "sRGB", colors},
+    Field{"color_by", &gl::LookSettings::color_by, "what colours the particles"},
+    Field{"color_min", &gl::LookSettings::color_min, "value at the colour map's low end",
+          Range{-1e9, 1e9}, "m/s, kg/m³ or Pa"},
+    Field{"color_max", &gl::LookSettings::color_max,
+          "value at the high end; equal to color_min: taken from the data", Range{-1e9, 1e9},
+          "m/s, kg/m³ or Pa"},
+    Field{"particle_radius", &gl::LookSettings::particle_radius, "radius of a drawn particle",
+          Range{0.01, 10.}, "particle spacings"}};
+
+template <>
+inline constexpr auto table<VideoConfig> = std::tuple{
+    Field{"width", &VideoConfig::width, "even", Range{16, 8192}, "pixels"},
+    Field{"height", &VideoConfig::height, "even", Range{16, 8192}, "pixels"},
+    Field{"frames_per_second", &VideoConfig::frames_per_second,
+          "pictures per second of the liquid's time", Range{1, 1000}, "1/s"},
+    Field{"duration", &VideoConfig::duration, "length of the video", Range{1e-3, 1e5}, "s"},
+    Field{"quality", &VideoConfig::quality,
+          "H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst", Range{0, 51}}};
+
+template <>
+inline constexpr auto table<Scene> = std::tuple{
+    Field{"name", &Scene::name, "names the output folder; the file's stem if left out"},
+    Field{"", &Scene::simulation},
+    Field{"surface", &Scene::surface, "how the liquid's surface is found"},
+    Field{"camera", &Scene::camera, "the view: still, or by keyframes; empty: the whole domain"},
+    Field{"light", &Scene::light, "one distant light and the sky"},
+    Field{"look", &Scene::look, "colours and style"},
+    Field{"video", &Scene::video, "size and number of the pictures"}};
+
+}  // namespace spindrift::app

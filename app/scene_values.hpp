@@ -1,0 +1,77 @@
+// Any value of a scene as JSON, by its type and its table.
+#pragma once
+
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "app/scene_document.hpp"
+#include "app/scene_fields.hpp"
+
+namespace spindrift::app {
+
+Json json_of(float value);
+Json json_of(const glm::vec3& value);
+inline Json json_of(double value) {
+  return value;
+}
+inline Json json_of(int value) {
+  return value;
+}
+inline Json json_of(bool value) {
+  return value;
+}
+inline Json json_of(const std::string& value) {
+  return value;
+}
+
+template <class E>
+requires std::is_enum_v<E> Json json_of(E value) {
+  return value_names<E>[static_cast<std::size_t>(value)];
+}
+
+template <class T>
+Json json_of(const std::vector<T>& values);
+template <Section T>
+Json json_of(const T& section);
+
+/// Puts a section's fields into `object`.
+template <Section T>
+void put_fields(const T& section, Json& object) {
+  for_each_field<T>([&](const auto& field) {
+    const auto& value = section.*field.member;
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if (!field.key.empty()) {
+      if constexpr (!std::is_same_v<Value, sim::Shape>) {
+        object[std::string(field.key)] = json_of(value);
+      }
+    } else if constexpr (Section<Value>) {
+      put_fields(value, object);
+    } else if constexpr (std::is_same_v<Value, sim::Shape>) {
+      std::visit(
+          [&](const auto& shape) {
+            object[std::string(shape_names[value.index()])] = json_of(shape);
+          },
+          value);
+    }
+  });
+}
+
+template <Section T>
+Json json_of(const T& section) {
+  Json object = Json::object();
+  put_fields(section, object);
+  return object;
+}
+
+template <class T>
+Json json_of(const std::vector<T>& values) {
+  Json list = Json::array();
+  for (const T& value : values) {
+    list.push_back(json_of(value));
+  }
+  return list;
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,77 @@
+// Settings into JSON, by the tables of scene_fields.hpp.
+#include <charconv>
+#include <type_traits>
+
+#include "app/scene_document.hpp"
+#include "app/scene_fields.hpp"
+#include "app/scene_values.hpp"
+
+namespace spindrift::app {
+
+/// The double that reads like the float: 0.1f becomes 0.1, not 0.10000000149.
+Json json_of(float value) {
+  char text[64];
+  const auto written = std::to_chars(text, text + sizeof text, value);
+  double read = 0.;
+  std::from_chars(text, written.ptr, read);
+  return read == 0. ? 0. : read;  // no −0
+}
+
+Json json_of(const glm::vec3& value) {
+  return Json::array({json_of(value.x), json_of(value.y), json_of(value.z)});
+}
+
+Json to_json(const Scene& scene) {
+  return json_of(scene);
+}
+
+namespace {
+
+/// A value on one line, as people write it: {"min": [0, 1, 2]}.
+std::string one_line(const Json& json) {
+  std::string text;
+  const char* separator = "";
+  if (json.is_array()) {
+    for (const Json& entry : json) {
+      text += separator + one_line(entry);
+      separator = ", ";
+    }
+    return "[" + text + "]";
+  }
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      text += separator + Json(key).dump() + ": " + one_line(value);
+      separator = ", ";
+    }
+    return "{" + text + "}";
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_text(const Json& json, std::size_t indent, std::size_t key_width, std::string& out) {
+  constexpr std::size_t line_width = 100;
+  const std::string flat = one_line(json);
+  if (!json.is_structured() || (indent > 0 && indent + key_width + flat.size() < line_width)) {
+    out += flat;
+    return;
+  }
+  out += json.is_array() ? "[" : "{";
+  const char* separator = "\n";
+  for (const auto& [key, value] : json.items()) {
+    const std::string name = json.is_array() ? "" : Json(key).dump() + ": ";
+    out += separator + std::string(indent + 2, ' ') + name;
+    write_text(value, indent + 2, name.size(), out);
+    separator = ",\n";
+  }
+  out += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
+}
+
+}  // namespace
+
+std::string to_text(const Json& json) {
+  std::string out;
+  write_text(json, 0, 0, out);
+  return out + "\n";
+}
+
+}  // namespace spindrift::app

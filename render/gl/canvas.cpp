@@ -1,0 +1,87 @@
+#include "render/gl/canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace spindrift::gl {
+
+namespace {
+constexpr int samples_per_pixel = 4;
+
+void require_complete(const Framebuffer& target, int width, int height) {
+  if (glCheckNamedFramebufferStatus(target, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error(
+        fmt::format("the OpenGL driver cannot draw a picture of {} x {} pixels", width, height));
+  }
+}
+}  // namespace
+
+Behind::Behind(int width, int height)
+    : width_(width), height_(height), picture_(make_texture(GL_SRGB8_ALPHA8, width, height)) {
+  glTextureView(encoded_, GL_TEXTURE_2D, picture_, GL_RGBA8, 0, 1, 0, 1);
+  glTextureParameteri(encoded_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(encoded_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(encoded_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glNamedRenderbufferStorage(depth_, GL_DEPTH_COMPONENT24, width, height);
+  glNamedFramebufferTexture(target_, GL_COLOR_ATTACHMENT0, picture_, 0);
+  glNamedFramebufferRenderbuffer(target_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  require_complete(target_, width, height);
+}
+
+void Behind::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, target_);
+  glViewport(0, 0, width_, height_);
+}
+
+void Behind::begin() const {
+  bind();
+  glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+Canvas::Canvas(int width, int height) : width_(width), height_(height) {
+  glNamedRenderbufferStorageMultisample(samples_, samples_per_pixel, GL_SRGB8_ALPHA8, width,
+                                        height);
+  glNamedRenderbufferStorageMultisample(depth_, samples_per_pixel, GL_DEPTH_COMPONENT24, width,
+                                        height);
+  glNamedRenderbufferStorage(resolved_, GL_SRGB8_ALPHA8, width, height);
+  glNamedFramebufferRenderbuffer(sampled_target_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_);
+  glNamedFramebufferRenderbuffer(sampled_target_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  glNamedFramebufferRenderbuffer(resolved_target_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                 resolved_);
+  require_complete(sampled_target_, width, height);
+  require_complete(resolved_target_, width, height);
+}
+
+void Canvas::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, sampled_target_);
+  glViewport(0, 0, width_, height_);
+}
+
+void Canvas::begin() const {
+  bind();
+  glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+Image Canvas::read() const {
+  glBlitNamedFramebuffer(sampled_target_, resolved_target_, 0, 0, width_, height_, 0, 0, width_,
+                         height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  std::vector<std::uint8_t> rgba(4 * pixels);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_target_);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  Image image(width_, height_);
+  std::uint8_t* out = image.pixels.data();
+  for (int y = height_ - 1; y >= 0; --y) {
+    const std::uint8_t* in =
+        rgba.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    for (int x = 0; x < width_; ++x, in += 4, out += 3) {
+      out[0] = in[0];
+      out[1] = in[1];
+      out[2] = in[2];
+    }
+  }
+  return image;
+}
+
+}  // namespace spindrift::gl

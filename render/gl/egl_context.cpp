@@ -1,0 +1,158 @@
+#include "render/gl/egl_context.hpp"
+
+#include <EGL/eglext.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace spindrift::gl {
+
+namespace {
+
+/// Is `name` one of the words of an extension string (which may be null)?
+bool has_extension(const char* extensions, std::string_view name) {
+  std::string_view rest = extensions ? extensions : "";
+  while (!rest.empty()) {
+    const auto end = std::min(rest.find(' '), rest.size());
+    if (rest.substr(0, end) == name) {
+      return true;
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return false;
+}
+
+template <typename Function>
+Function egl_function(const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+/// All EGL devices of this machine, GPUs before software.
+std::vector<EGLDeviceEXT> devices() {
+  const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+  const bool enumerable = has_extension(client, "EGL_EXT_device_enumeration") ||
+                          has_extension(client, "EGL_EXT_device_base");
+  if (!enumerable || !has_extension(client, "EGL_EXT_platform_device")) {
+    return {};
+  }
+  const auto query_devices = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  const auto query_string = egl_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  EGLint count = 0;
+  if (!query_devices || !query_string || !query_devices(0, nullptr, &count) || count <= 0) {
+    return {};
+  }
+  std::vector<EGLDeviceEXT> found(static_cast<std::size_t>(count));
+  query_devices(count, found.data(), &count);
+  found.resize(static_cast<std::size_t>(count));
+  std::stable_partition(found.begin(), found.end(), [&](EGLDeviceEXT device) {
+    return !has_extension(query_string(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+  });
+  return found;
+}
+
+/// The displays to try, best first.
+std::vector<EGLDisplay> displays() {
+  const auto get_display =
+      egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  if (!get_display) {
+    return {};
+  }
+  std::vector<EGLDisplay> found;
+  for (const EGLDeviceEXT device : devices()) {
+    found.push_back(get_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+  }
+  if (has_extension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS),
+                    "EGL_MESA_platform_surfaceless")) {
+    found.push_back(get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  }
+  std::erase(found, EGL_NO_DISPLAY);
+  return found;
+}
+
+}  // namespace
+
+EglContext::EglContext() {
+  // Mesa warns on stderr about devices it cannot open, although the next one then works. Whoever
+  // wants to see that sets the variable.
+  setenv("EGL_LOG_LEVEL", "fatal", 0);
+
+  std::string reason;
+  for (const EGLDisplay display : displays()) {
+    reason = try_display(display);
+    if (reason.empty()) {
+      return;
+    }
+  }
+  if (reason.empty()) {
+    throw std::runtime_error(
+        "no EGL device to draw with: install the Debian packages libegl1 and libgl1-mesa-dri");
+  }
+  throw std::runtime_error(fmt::format(
+      "no EGL device gives OpenGL 4.5 without a display ({}): install the Debian package "
+      "libgl1-mesa-dri",
+      reason));
+}
+
+std::string EglContext::try_display(EGLDisplay display) {
+  if (!eglInitialize(display, nullptr, nullptr)) {
+    return "eglInitialize failed";
+  }
+  const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
+  if (!has_extension(extensions, "EGL_KHR_surfaceless_context")) {
+    return "EGL_KHR_surfaceless_context is missing";
+  }
+  if (!eglBindAPI(EGL_OPENGL_API)) {
+    return "desktop OpenGL is missing";
+  }
+  const EGLint config_attributes[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                      EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0) {
+    config = nullptr;  // EGL_NO_CONFIG_KHR: allowed where contexts need no config
+  }
+  const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                       4,
+                                       EGL_CONTEXT_MINOR_VERSION,
+                                       5,
+                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                       EGL_NONE};
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
+  if (context == EGL_NO_CONTEXT) {
+    return "its driver has no OpenGL 4.5 core profile";
+  }
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    eglDestroyContext(display, context);
+    return "its context cannot be made current";
+  }
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  display_ = display;
+  context_ = context;
+  return {};
+}
+
+EglContext::~EglContext() {
+  eglDestroyContext(display_, context_);
+}
+
+std::string EglContext::vendor() const {
+  const char* vendor = eglQueryString(display_, EGL_VENDOR);
+  return vendor ? vendor : "";
+}
+
+EglContext::Current::Current(const EglContext& context) : display_(context.display_) {
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_)) {
+    throw std::runtime_error("the OpenGL context cannot be made current on this thread");
+  }
+}
+
+EglContext::Current::~Current() {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+}  // namespace spindrift::gl

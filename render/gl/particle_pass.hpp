@@ -1,0 +1,18 @@
+// Particles as lit spheres.
+#pragma once
+
+#include "render/gl/mesh_buffers.hpp"
+
+namespace spindrift::gl {
+
+class ParticlePass {
+ public:
+  ParticlePass();
+  /// Attribute values from `low` to `high` run through the colour map.
+  void draw(const ParticleBuffers& particles, float low, float high) const;
+
+ private:
+  Program program_;
+};
+
+}  // namespace spindrift::gl

@@ -1,0 +1,266 @@
+#include "render/gl/renderer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "render/gl/canvas.hpp"
+#include "render/gl/egl_context.hpp"
+#include "render/gl/frame.hpp"
+#include "render/gl/liquid_pass.hpp"
+#include "render/gl/mesh_buffers.hpp"
+#include "render/gl/particle_pass.hpp"
+#include "render/gl/shadow_pass.hpp"
+#include "render/gl/stage_pass.hpp"
+#include "shaders.hpp"
+
+namespace spindrift::gl {
+
+namespace {
+
+std::string driver_string(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+struct Obstacles {
+  Program program = make_program(shaders::obstacle_vert, shaders::obstacle_frag);
+  MeshBuffers mesh;
+};
+
+struct Liquid {
+  Liquid(int width, int height) : behind(width, height), pass(width, height) {}
+  MeshBuffers mesh;
+  Behind behind;
+  Copy copy;
+  LiquidPass pass;
+};
+
+struct Particles {
+  ParticleBuffers buffers;
+  ParticlePass pass;
+};
+
+/// All that lives in the context. What a scene does not use is never made.
+class Drawing {
+ public:
+  Drawing(int width, int height, const LookSettings& look, const LightSettings& light,
+          const Stage& stage)
+      : look_(look),
+        light_(light),
+        stage_(stage),
+        casters_{stage.min, stage.max},
+        canvas_(width, height) {
+    if (look.walls) {
+      edges_.emplace();
+    }
+  }
+
+  void set_obstacles(const Mesh& mesh) {
+    casters_ = {stage_.min, stage_.max};
+    shadow_.reset();  // its area may change
+    if (mesh.triangles.empty()) {
+      obstacles_.reset();
+      return;
+    }
+    if (!obstacles_) {
+      obstacles_.emplace();
+    }
+    obstacles_->mesh.set(mesh);
+    for (const glm::vec3& vertex : mesh.vertices) {
+      casters_.min = glm::min(casters_.min, vertex);
+      casters_.max = glm::max(casters_.max, vertex);
+    }
+  }
+
+  Image draw(const Mesh& mesh, const View& view) {
+    begin(view);
+    if (mesh.triangles.empty()) {
+      draw_surroundings(view, draw_shadow(nullptr, nullptr));
+      return finish();
+    }
+    if (!liquid_) {
+      liquid_.emplace(canvas_.width(), canvas_.height());
+    }
+    liquid_->mesh.set(mesh);
+    const Texture* shadow = draw_shadow(&liquid_->mesh, nullptr);
+    liquid_->pass.measure(liquid_->mesh, obstacles_ ? &obstacles_->mesh : nullptr);
+
+    liquid_->behind.begin();
+    surroundings(view).draw(shadow);
+    canvas_.begin();
+    liquid_->copy.draw(liquid_->behind.encoded());
+    draw_obstacles(view);
+    if (obstacles_) {
+      liquid_->behind.bind();
+      draw_obstacles(view);
+      canvas_.bind();
+    }
+    liquid_->pass.draw(liquid_->mesh, liquid_->behind.encoded());
+    return finish();
+  }
+
+  Image draw(const ParticleCloud& cloud, const View& view) {
+    begin(view);
+    if (cloud.positions.empty()) {
+      draw_surroundings(view, draw_shadow(nullptr, nullptr));
+      return finish();
+    }
+    if (!particles_) {
+      particles_.emplace();
+    }
+    particles_->buffers.set(cloud);
+    draw_surroundings(view, draw_shadow(nullptr, &particles_->buffers));
+    float low = look_.color_min, high = look_.color_max;
+    if (low == high) {
+      const auto [least, most] = std::ranges::minmax(cloud.attribute);
+      low = least;
+      high = most;
+    }
+    particles_->pass.draw(particles_->buffers, low, high);
+    return finish();
+  }
+
+ private:
+  void begin(const View& view) {
+    const FrameUniforms frame =
+        frame_uniforms(view, look_, light_, stage_, casters_, canvas_.width(), canvas_.height());
+    upload(frame_, std::span(&frame, 1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_DEPTH_TEST);
+  }
+
+  /// The map of the light on the floor, or null when nothing shades it.
+  const Texture* draw_shadow(const MeshBuffers* liquid, const ParticleBuffers* particles) {
+    const ShadowArea area = shadow_area(light_, stage_, casters_);
+    const bool casts = liquid || particles || obstacles_;
+    if (!light_.shadows || !look_.floor || !casts || area.empty()) {
+      return nullptr;
+    }
+    if (!shadow_) {
+      shadow_.emplace(area);
+    }
+    shadow_->begin();
+    if (liquid) {
+      shadow_->add_liquid(*liquid);
+    }
+    if (particles) {
+      shadow_->add_particles(*particles);
+    }
+    if (obstacles_) {
+      shadow_->add_obstacles(obstacles_->mesh);
+    }
+    return &shadow_->finish();
+  }
+
+  bool floor_is_seen(const View& view) const {
+    return look_.floor && view.position.y > stage_.min.y;
+  }
+
+  const Surroundings& surroundings(const View& view) {
+    std::optional<Surroundings>& wanted = floor_is_seen(view) ? floor_ : backdrop_;
+    if (!wanted) {
+      wanted.emplace(floor_is_seen(view));
+    }
+    return *wanted;
+  }
+
+  /// Obstacles, without what is under a floor that can be seen.
+  void draw_obstacles(const View& view) const {
+    if (obstacles_) {
+      if (floor_is_seen(view)) {
+        glEnable(GL_CLIP_DISTANCE0);
+      }
+      glUseProgram(obstacles_->program);
+      obstacles_->mesh.draw();
+      glDisable(GL_CLIP_DISTANCE0);
+    }
+  }
+
+  /// Starts the picture with everything but the liquid and the edges.
+  void draw_surroundings(const View& view, const Texture* shadow) {
+    canvas_.begin();
+    surroundings(view).draw(shadow);
+    draw_obstacles(view);
+  }
+
+  Image finish() {
+    if (edges_) {
+      edges_->draw();
+    }
+    return canvas_.read();
+  }
+
+  LookSettings look_;
+  LightSettings light_;
+  Stage stage_;
+  Bounds casters_;
+  Canvas canvas_;
+  Buffer frame_;
+  std::optional<Surroundings> backdrop_, floor_;
+  std::optional<Edges> edges_;
+  std::optional<Obstacles> obstacles_;
+  std::optional<ShadowPass> shadow_;
+  std::optional<Liquid> liquid_;
+  std::optional<Particles> particles_;
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+  EglContext context;
+  Info info;
+  std::optional<Drawing> drawing;
+
+  ~Impl() {
+    const EglContext::Current current(context);
+    drawing.reset();
+  }
+};
+
+Renderer::Renderer(int width, int height, const LookSettings& look, const LightSettings& light,
+                   const Stage& stage) {
+  if (width <= 0 || height <= 0) {
+    throw std::invalid_argument(fmt::format("a picture cannot have {} x {} pixels", width, height));
+  }
+  impl_ = std::make_unique<Impl>();
+  const EglContext::Current current(impl_->context);
+  impl_->info = {driver_string(GL_RENDERER), driver_string(GL_VERSION), impl_->context.vendor(),
+                 false};
+  impl_->info.software = impl_->info.renderer.find("llvmpipe") != std::string::npos ||
+                         impl_->info.renderer.find("softpipe") != std::string::npos;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+  if (std::max(width, height) > largest) {
+    throw std::invalid_argument(
+        fmt::format("a picture of {} x {} pixels is too large: {} draws at most {} x {}", width,
+                    height, impl_->info.renderer, largest, largest));
+  }
+  impl_->drawing.emplace(width, height, look, light, stage);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::set_obstacles(const Mesh& mesh) {
+  const EglContext::Current current(impl_->context);
+  impl_->drawing->set_obstacles(mesh);
+}
+
+Image Renderer::draw(const Mesh& liquid, const View& view) {
+  const EglContext::Current current(impl_->context);
+  return impl_->drawing->draw(liquid, view);
+}
+
+Image Renderer::draw(const ParticleCloud& liquid, const View& view) {
+  const EglContext::Current current(impl_->context);
+  return impl_->drawing->draw(liquid, view);
+}
+
+const Renderer::Info& Renderer::info() const {
+  return impl_->info;
+}
+
+}  // namespace spindrift::gl

@@ -1,0 +1,53 @@
+// A file that appears under its name only when it is complete.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace spindrift::output {
+
+/// Writes under a hidden temporary name in the same folder; commit() renames it to its final name,
+/// replacing an older file of that name. Without commit() the temporary file is removed, so that a
+/// reader sees the old file, or the new one, or none, and never a half.
+///
+/// This holds for a crash of the program and for a full disk. Nothing is forced out to the medium
+/// (fsync), so it does not hold for a power cut.
+///
+/// Every error is a std::runtime_error that names the final file and says why.
+class AtomicFile {
+ public:
+  /// Creates the temporary file. The folder must exist.
+  explicit AtomicFile(std::filesystem::path file);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Appends; small pieces are gathered into large writes.
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+
+  /// Closes the file and gives it its final name. Once only.
+  void commit();
+
+  const std::filesystem::path& final_name() const { return file_; }
+  /// For a library that wants to write the file itself, by name, instead of through write().
+  const std::filesystem::path& temporary_name() const { return temporary_; }
+
+ private:
+  void flush();
+  void put(std::span<const std::byte> bytes);
+  void close_and_remove() noexcept;
+
+  std::filesystem::path file_;
+  std::filesystem::path temporary_;
+  std::vector<std::byte> buffer_;
+  int descriptor_ = -1;
+};
+
+/// Writes a whole text file through AtomicFile.
+void write_file(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace spindrift::output

@@ -1,0 +1,329 @@
+// H.264 in MP4 through libav: libswscale turns RGB into YUV, libavcodec (libx264) compresses,
+// libavformat lays out the file.
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+#include <libavutil/pixdesc.h>
+#include <libswscale/swscale.h>
+}
+
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "render/output/atomic_file.hpp"
+#include "render/output/output.hpp"
+
+namespace spindrift::output {
+namespace {
+
+// The bytes depend on the number of threads, so it is fixed, whatever the machine has.
+#ifndef SPX_THREADS
+#define SPX_THREADS "4"
+#define SPX_PRESET "veryfast"
+#endif
+const char* env(const char* n, const char* d) {
+  return std::getenv(n) ? std::getenv(n) : d;
+}
+constexpr int kThreads = 4;
+constexpr const char* kPreset = "veryfast";
+constexpr int kSecondsBetweenKeyFrames = 2;  // how far a player has to decode after a jump
+
+struct Free {
+  void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
+  void operator()(AVFrame* p) const { av_frame_free(&p); }
+  void operator()(AVPacket* p) const { av_packet_free(&p); }
+  void operator()(SwsContext* p) const { sws_freeContext(p); }
+  void operator()(AVFormatContext* p) const {
+    avio_closep(&p->pb);
+    avformat_free_context(p);
+  }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Free>;
+
+std::string reason(int error) {
+  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+  av_strerror(error, text.data(), text.size());
+  return text.data();
+}
+
+void libav_check(int result, const std::filesystem::path& file, const char* doing) {
+  if (result < 0) {
+    throw std::runtime_error("cannot write " + file.string() + ": " + doing + ": " +
+                             reason(result));
+  }
+}
+
+template <class T>
+Owned<T> owned(T* pointer) {
+  if (pointer == nullptr) {
+    throw std::bad_alloc();
+  }
+  return Owned<T>(pointer);
+}
+
+bool takes_yuv420p(const AVCodec& codec) {
+  for (const AVPixelFormat* format = codec.pix_fmts; format && *format != AV_PIX_FMT_NONE;
+       ++format) {
+    if (*format == AV_PIX_FMT_YUV420P) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// libx264, or else any software encoder of H.264 (hardware ones differ from machine to machine).
+const AVCodec* find_encoder() {
+  if (const AVCodec* x264 = avcodec_find_encoder_by_name("libx264")) {
+    return x264;
+  }
+  void* position = nullptr;
+  while (const AVCodec* codec = av_codec_iterate(&position)) {
+    constexpr int kHardware = AV_CODEC_CAP_HARDWARE | AV_CODEC_CAP_HYBRID;
+    if (av_codec_is_encoder(codec) != 0 && codec->id == AV_CODEC_ID_H264 &&
+        (codec->capabilities & kHardware) == 0 && takes_yuv420p(*codec)) {
+      return codec;
+    }
+  }
+  return nullptr;
+}
+
+constexpr const char* kNoEncoder =
+    "this libavcodec has no H.264 encoder (Debian: install libavcodec59 or libavcodec-extra)";
+
+void require_valid(const VideoSettings& settings) {
+  const auto reject = [](const std::string& what) {
+    throw std::invalid_argument("VideoWriter: " + what);
+  };
+  const auto even = [](int size) { return size > 0 && size % 2 == 0; };
+  if (!even(settings.width) || !even(settings.height)) {
+    reject("width and height must be positive and even, not " + std::to_string(settings.width) +
+           "x" + std::to_string(settings.height));
+  }
+  if (settings.frames_per_second <= 0 || settings.frames_per_second > 1000) {
+    reject("frames per second must be 1 to 1000, not " +
+           std::to_string(settings.frames_per_second));
+  }
+  if (settings.quality < 0 || settings.quality > 51) {
+    reject("quality must be 0 to 51, not " + std::to_string(settings.quality));
+  }
+}
+
+Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& settings,
+                                   const std::filesystem::path& file) {
+  Owned<AVCodecContext> encoder = owned(avcodec_alloc_context3(&codec));
+  encoder->width = settings.width;
+  encoder->height = settings.height;
+  encoder->sample_aspect_ratio = {1, 1};
+  encoder->pix_fmt = AV_PIX_FMT_YUV420P;
+  encoder->color_primaries = AVCOL_PRI_BT709;
+  encoder->color_trc = AVCOL_TRC_BT709;
+  encoder->colorspace = AVCOL_SPC_BT709;
+  encoder->color_range = AVCOL_RANGE_MPEG;
+  encoder->chroma_sample_location = AVCHROMA_LOC_LEFT;
+  encoder->framerate = {settings.frames_per_second, 1};
+  encoder->time_base = {1, settings.frames_per_second};
+  encoder->gop_size = kSecondsBetweenKeyFrames * settings.frames_per_second;
+  encoder->thread_count = atoi(env("SPX_THREADS", "4"));
+  // No version strings; the header once, in front, as MP4 wants it.
+  encoder->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
+  if (std::string(codec.name) == "libx264") {
+    av_opt_set(encoder->priv_data, "preset", env("SPX_PRESET", kPreset), 0);
+    av_opt_set_double(encoder->priv_data, "crf", settings.quality, 0);
+    // The same choice of algorithms on every CPU.
+    av_opt_set(encoder->priv_data, "x264-params", env("SPX_PARAMS", "cpu-independent=1"), 0);
+  } else {
+    encoder->qmin = settings.quality;
+    encoder->qmax = settings.quality;
+  }
+  libav_check(avcodec_open2(encoder.get(), &codec, nullptr), file, "H.264 encoder");
+  return encoder;
+}
+
+Owned<AVFrame> make_frame(const AVCodecContext& encoder) {
+  Owned<AVFrame> frame = owned(av_frame_alloc());
+  frame->format = encoder.pix_fmt;
+  frame->width = encoder.width;
+  frame->height = encoder.height;
+  frame->color_primaries = encoder.color_primaries;
+  frame->color_trc = encoder.color_trc;
+  frame->colorspace = encoder.colorspace;
+  frame->color_range = encoder.color_range;
+  frame->chroma_location = encoder.chroma_sample_location;
+  if (av_frame_get_buffer(frame.get(), 0) < 0) {
+    throw std::bad_alloc();
+  }
+  return frame;
+}
+
+// sRGB values in full range to BT.709 in limited range. libswscale takes BT.601 unless told.
+Owned<SwsContext> make_converter(int width, int height) {
+  constexpr int kFlags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
+  Owned<SwsContext> converter = owned(sws_getContext(
+      width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P,
+      atoi(env("SPX_SWS", std::to_string(kFlags).c_str())), nullptr, nullptr, nullptr));
+  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+  constexpr int kFull = 1;
+  constexpr int kLimited = 0;
+  constexpr int kOne = 1 << 16;  // contrast and saturation, as fixed point
+  sws_setColorspaceDetails(converter.get(), bt709, kFull, bt709, kLimited, 0, kOne, kOne);
+  return converter;
+}
+
+enum class State { open, failed, finished };
+
+}  // namespace
+
+struct VideoWriter::Impl {
+  Impl(const std::filesystem::path& name, const VideoSettings& settings);
+  void open_muxer();
+  void add(const Image& image);
+  void encode(const AVFrame* next);
+  void finish();
+  // A call of libav that went wrong becomes a sentence with the name of the file.
+  void check(int result, const char* doing) const { libav_check(result, file.final_name(), doing); }
+
+  VideoSettings settings;
+  AtomicFile file;  // libav writes it by its temporary name
+  Owned<AVCodecContext> encoder;
+  Owned<SwsContext> converter;
+  Owned<AVFrame> frame;
+  Owned<AVPacket> packet;
+  Owned<AVFormatContext> muxer;
+  AVStream* stream = nullptr;  // owned by the muxer
+  std::int64_t frames = 0;
+  State state = State::open;
+};
+
+VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& s)
+    : settings((require_valid(s), s)), file(name), packet(owned(av_packet_alloc())) {
+  av_log_set_level(AV_LOG_FATAL);  // what goes wrong is said by our exceptions
+  const AVCodec* codec = find_encoder();
+  if (codec == nullptr) {
+    throw std::runtime_error("cannot write " + name.string() + ": " + kNoEncoder);
+  }
+  encoder = open_encoder(*codec, settings, name);
+  converter = make_converter(settings.width, settings.height);
+  frame = make_frame(*encoder);
+
+  open_muxer();
+}
+
+void VideoWriter::Impl::open_muxer() {
+  // "file:" lest a colon in the path be read as a protocol.
+  const std::string url = "file:" + file.temporary_name().string();
+  AVFormatContext* allocated = nullptr;
+  check(avformat_alloc_output_context2(&allocated, nullptr, "mp4", url.c_str()), "MP4 format");
+  muxer.reset(allocated);
+  muxer->flags |= AVFMT_FLAG_BITEXACT;  // no dates, no version strings
+
+  stream = avformat_new_stream(muxer.get(), nullptr);
+  if (stream == nullptr) {
+    throw std::bad_alloc();
+  }
+  stream->time_base = encoder->time_base;
+  stream->avg_frame_rate = encoder->framerate;
+  check(avcodec_parameters_from_context(stream->codecpar, encoder.get()), "MP4 stream");
+
+  check(avio_open(&muxer->pb, url.c_str(), AVIO_FLAG_WRITE), "opening");
+  AVDictionary* options = nullptr;
+  av_dict_set(&options, "movflags", "+faststart", 0);
+  // The default of milliseconds can't express most durations.
+  av_dict_set_int(&options, "movie_timescale", settings.frames_per_second * 1000, 0);
+  const int result = avformat_write_header(muxer.get(), &options);
+  av_dict_free(&options);
+  check(result, "MP4 header");
+}
+
+// Hands one frame to the encoder, or the end (nullptr), and writes what comes out.
+void VideoWriter::Impl::encode(const AVFrame* next) {
+  check(avcodec_send_frame(encoder.get(), next), "encoding");
+  for (;;) {
+    const int result = avcodec_receive_packet(encoder.get(), packet.get());
+    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) {
+      return;
+    }
+    check(result, "encoding");
+    packet->stream_index = stream->index;
+    packet->duration = 1;
+    av_packet_rescale_ts(packet.get(), encoder->time_base, stream->time_base);
+    check(av_interleaved_write_frame(muxer.get(), packet.get()), "writing");
+  }
+}
+
+void VideoWriter::Impl::add(const Image& image) {
+  const int stride = 3 * settings.width;
+  if (image.width != settings.width || image.height != settings.height ||
+      image.pixels.size() != std::size_t(stride) * std::size_t(settings.height)) {
+    throw std::invalid_argument("VideoWriter: a frame of " + std::to_string(image.width) + "x" +
+                                std::to_string(image.height) + " pixels for a video of " +
+                                std::to_string(settings.width) + "x" +
+                                std::to_string(settings.height));
+  }
+  if (std::exchange(state, State::failed) != State::open) {
+    throw std::logic_error("VideoWriter: add after finish or after an error");
+  }
+  check(av_frame_make_writable(frame.get()), "frame");
+  const std::uint8_t* pixels = image.pixels.data();
+  sws_scale(converter.get(), &pixels, &stride, 0, settings.height, frame->data, frame->linesize);
+  frame->pts = frames;
+  encode(frame.get());
+  ++frames;
+  state = State::open;
+}
+
+void VideoWriter::Impl::finish() {
+  if (state == State::finished) {
+    return;
+  }
+  if (std::exchange(state, State::failed) == State::failed) {
+    throw std::logic_error("VideoWriter: finish after an error");
+  }
+  if (frames == 0) {
+    throw std::logic_error("VideoWriter: finish without a frame");
+  }
+  encode(nullptr);
+  check(av_write_trailer(muxer.get()), "MP4 index");
+  check(avio_closep(&muxer->pb), "closing");
+  file.commit();
+  state = State::finished;
+}
+
+VideoWriter::VideoWriter(const std::filesystem::path& file, const VideoSettings& settings)
+    : impl_(std::make_unique<Impl>(file, settings)) {}
+
+VideoWriter::~VideoWriter() {
+  if (impl_->state == State::open && impl_->frames > 0) {
+    try {
+      impl_->finish();
+    } catch (const std::exception&) {
+      // A destructor has nobody to tell; the temporary file is removed.
+    }
+  }
+}
+
+void VideoWriter::add(const Image& image) {
+  impl_->add(image);
+}
+
+void VideoWriter::finish() {
+  impl_->finish();
+}
+
+std::string encoder_info() {
+  const AVCodec* codec = find_encoder();
+  const auto version = [](unsigned v) {
+    return std::to_string(AV_VERSION_MAJOR(v)) + "." + std::to_string(AV_VERSION_MINOR(v)) + "." +
+           std::to_string(AV_VERSION_MICRO(v));
+  };
+  return (codec != nullptr ? codec->name : "no H.264 encoder") + std::string(" (libavcodec ") +
+         version(avcodec_version()) + ", libavformat " + version(avformat_version()) + ")";
+}
+
+}  // namespace spindrift::output

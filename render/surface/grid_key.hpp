@@ -1,0 +1,33 @@
+// Cells of a sparse grid as sortable 64-bit keys, so that space costs nothing where nothing is.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace spindrift::surface {
+
+/// Bits of a key given to each axis; cell coordinates lie in [0, 2^21).
+inline constexpr int kAxisBits = 21;
+
+/// Key of a cell with no negative coordinate; keys sort by z, then y, then x, so that cells which
+/// follow each other along x have consecutive keys.
+inline std::uint64_t grid_key(const glm::ivec3& cell) {
+  return (std::uint64_t(cell.z) << (2 * kAxisBits)) | (std::uint64_t(cell.y) << kAxisBits) |
+         std::uint64_t(cell.x);
+}
+
+inline glm::ivec3 grid_cell(std::uint64_t key) {
+  constexpr std::uint64_t mask = (std::uint64_t{1} << kAxisBits) - 1;
+  return {int(key & mask), int((key >> kAxisBits) & mask), int(key >> (2 * kAxisBits))};
+}
+
+struct KeyedIndex {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+/// Sorts by key, keeping the order of equal keys (least significant digit radix sort).
+void sort_by_key(std::vector<KeyedIndex>& items);
+
+}  // namespace spindrift::surface

@@ -1,0 +1,76 @@
+// Particles sorted into the cubic bins of a sparse grid. All lengths here are in particle spacings.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "render/surface/grid_key.hpp"
+
+namespace spindrift::surface {
+
+/// Particles of one neighbourhood, copied together with coordinates relative to one point.
+struct ParticleBatch {
+  std::vector<float> x, y, z, weight;
+
+  std::size_t size() const { return x.size(); }
+  void clear();
+};
+
+class ParticleBins {
+ public:
+  /// @param positions particle centres, m
+  /// @param spacing   m
+  /// @param bin_size  edge of a bin, in spacings
+  /// @param reach     farthest a coordinate may lie from the origin, in spacings; at most 2^20
+  /// @throw std::invalid_argument naming the first particle that is not finite or out of reach
+  ParticleBins(std::span<const glm::vec3> positions, float spacing, double bin_size, double reach);
+
+  std::size_t bin_count() const { return keys_.size(); }
+  std::size_t particle_count() const { return x_.size(); }
+  double bin_size() const { return bin_size_; }
+
+  glm::ivec3 cell(std::size_t bin) const { return grid_cell(keys_[bin]) + lower_; }
+  std::uint32_t begin(std::size_t bin) const { return begin_[bin]; }
+  std::uint32_t end(std::size_t bin) const { return begin_[bin + 1]; }
+
+  /// Position of a sorted particle within its bin.
+  glm::vec3 local(std::size_t particle) const { return {x_[particle], y_[particle], z_[particle]}; }
+
+  /// Calls visit(bin) for every occupied bin in the box of cells [lo, hi], by z, then y, then x.
+  template <typename Visit>
+  void for_each_bin(glm::ivec3 lo, glm::ivec3 hi, Visit visit) const;
+
+  /// Appends a bin's particles to a batch, with coordinates relative to `origin`.
+  /// @param weights one value per sorted particle, or empty
+  void append(std::size_t bin, const glm::dvec3& origin, std::span<const float> weights,
+              ParticleBatch& batch) const;
+
+ private:
+  double bin_size_;
+  glm::ivec3 lower_{0};  ///< smallest occupied cell coordinates
+  glm::ivec3 upper_{0};  ///< largest
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint32_t> begin_;
+  std::vector<float> x_, y_, z_;
+};
+
+template <typename Visit>
+void ParticleBins::for_each_bin(glm::ivec3 lo, glm::ivec3 hi, Visit visit) const {
+  lo = glm::max(lo, lower_) - lower_;
+  hi = glm::min(hi, upper_) - lower_;
+  if (lo.x > hi.x)
+    return;
+  for (int z = lo.z; z <= hi.z; ++z) {
+    for (int y = lo.y; y <= hi.y; ++y) {
+      const std::uint64_t last = grid_key({hi.x, y, z});
+      auto it = std::lower_bound(keys_.begin(), keys_.end(), grid_key({lo.x, y, z}));
+      for (; it != keys_.end() && *it <= last; ++it)
+        visit(std::size_t(it - keys_.begin()));
+    }
+  }
+}
+
+}  // namespace spindrift::surface

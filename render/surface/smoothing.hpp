@@ -1,0 +1,23 @@
+// Takes the bumps of single particles off a surface, and leaves its shape, its volume and its thin
+// features.
+//
+// Laplacian smoothing moves every vertex towards the mean of its neighbours; where the liquid is
+// thin it is held back, after Loeschner, Boettcher, Rhys Jeske & Bender 2023, "Weighted Laplacian
+// smoothing for surface reconstruction of particle-based fluids". What it takes from the shape at
+// large is given back by twicing (Tukey 1977, "Exploratory data analysis"): with L the smoothing,
+// 2 L - L^2 = 1 - (1 - L)^2 shrinks as the square of what L alone does.
+#pragma once
+
+#include <span>
+
+#include "render/mesh.hpp"
+
+namespace spindrift::surface {
+
+/// Smooths vertices and normals.
+/// @param mesh       closed
+/// @param bulk       per vertex: 1 over thick liquid, smaller where it is thin
+/// @param iterations of L
+void smooth_mesh(Mesh& mesh, std::span<const float> bulk, int iterations);
+
+}  // namespace spindrift::surface

@@ -1,0 +1,69 @@
+// The liquid's smoothed indicator (1 inside, 0 outside) on the nodes of a sparse grid.
+//
+// The grid is fixed in space: node (i, j, k) lies at (i, j, k) * cell size. Nodes are kept in
+// blocks of 8 x 8 x 8 where particles reach; every other node is 0. A block that lies deep in the
+// liquid is known to be inside and keeps no values. Node index within a block: x + 8 y + 64 z.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "render/surface/coverage.hpp"
+#include "render/surface/particle_bins.hpp"
+
+namespace spindrift::surface {
+
+inline constexpr int kBlockEdge = 8;  ///< nodes along the edge of a block
+inline constexpr int kBlockNodes = kBlockEdge * kBlockEdge * kBlockEdge;
+
+/// On which side of the iso-value the nodes of a block lie.
+enum class BlockSide : std::uint8_t { kOutside, kInside, kBoth };
+
+class SparseField {
+ public:
+  static constexpr std::uint32_t kNoBlock = ~std::uint32_t{0};
+
+  /// @param cell_size in spacings
+  SparseField(const ParticleBins& bins, const Coverage& coverage, double cell_size,
+              float iso_value);
+
+  std::size_t block_count() const { return keys_.size(); }
+  double cell_size() const { return cell_size_; }
+
+  /// Block coordinates: the block's first node is 8 times this.
+  glm::ivec3 cell(std::size_t block) const { return grid_cell(keys_[block]) + lower_; }
+  /// The block at these block coordinates, or kNoBlock.
+  std::uint32_t find(const glm::ivec3& block_cell) const;
+
+  BlockSide side(std::uint32_t block) const {
+    return block == kNoBlock ? BlockSide::kOutside : sides_[block];
+  }
+
+  /// Field at one node of a block, which may be kNoBlock.
+  float value(std::uint32_t block, int node) const {
+    if (block == kNoBlock)
+      return 0.0f;
+    return slots_[block] == kNoBlock ? 1.0f
+                                     : values_[std::size_t(slots_[block]) * kBlockNodes + node];
+  }
+
+  /// Field at a point, by trilinear interpolation.
+  /// @param block where the point is thought to lie
+  /// @param point relative to that block's first node, in cells
+  float sample(std::uint32_t block, const glm::vec3& point) const;
+
+ private:
+  void find_blocks(const ParticleBins& bins);
+  void fill_blocks(const ParticleBins& bins, const Coverage& coverage, float iso_value);
+
+  double cell_size_;
+  glm::ivec3 lower_{0};
+  std::vector<std::uint64_t> keys_;
+  std::vector<BlockSide> sides_;
+  std::vector<std::uint32_t> slots_;  ///< where a block's values are; kNoBlock: deep inside, all 1
+  std::vector<float> values_;
+};
+
+}  // namespace spindrift::surface

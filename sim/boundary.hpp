@@ -1,0 +1,39 @@
+// Walls and obstacles as particles with volumes (Akinci et al. 2012, eqs. 4 and 5) and with
+// pressures of their own (Band et al. 2018).
+#pragma once
+
+#include "sim/formulas.hpp"
+#include "sim/openmp/cell_grid.hpp"
+#include "sim/particles.hpp"
+#include "sim/settings.hpp"
+
+namespace spindrift::sim {
+
+class Boundary {
+ public:
+  /// Samples the domain's walls and all obstacles, sorts the samples into the cells of `map` and
+  /// gives each its volume. `radius` is the support radius, m.
+  Boundary(const Settings& settings, const GridMap& map, float radius);
+
+  std::uint32_t count() const { return count_; }
+  const CellGrid& grid() const { return grid_; }
+  Vec3Arrays positions() { return position_.view(); }
+  const float* volumes() { return volume_.data(); }
+  const float* solids() { return solid_.data(); }
+  ScalarField& pressures() { return pressure_; }
+  ScalarField& step_pressures() { return step_pressure_; }
+  std::size_t memory_bytes() const;
+
+ private:
+  void measure_solids(const Settings& settings, const CubicKernel& kernel, float radius);
+
+  std::uint32_t count_ = 0;
+  VectorField position_;       ///< m
+  ScalarField volume_;         ///< m³
+  ScalarField solid_;          ///< density ratio that the solid behind a sample makes up for
+  ScalarField pressure_;       ///< Pa, lasts from step to step
+  ScalarField step_pressure_;  ///< Pa, within a step
+  CellGrid grid_;
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,108 @@
+// The equations of motion, one per-particle formula per function, written once for every executor.
+//
+// Density as a ratio to the rest density, with boundary samples b of volume V_b (Akinci et al.
+// 2012):
+//   ρᵢ/ρ₀ = V Σⱼ W(xᵢ − xⱼ) + Σ_b V_b W(xᵢ − x_b),   V = m/ρ₀.
+// A boundary sample has a density and a pressure of its own (Band et al. 2018, "Pressure boundaries
+// for implicit incompressible SPH"); `solid` is what the solid behind it would contribute:
+//   ρ_b/ρ₀ = solid_b + V Σⱼ W(x_b − xⱼ).
+// Pressure acceleration, the gradient of the sum of V p ρ/ρ₀ over particles and samples, so that
+// momentum is kept between particles and no energy is made at walls, whatever the pressures are:
+//   aᵢ = −1/ρ₀ [ V Σⱼ (pᵢ + pⱼ) ∇W + Σ_b V_b (pᵢ + p_b) ∇W ].
+// Solenthaler & Pajarola 2009 have pᵢ/ρᵢ² + pⱼ/ρⱼ²; with ρ₀ in place of ρᵢ, as they do when they
+// derive δ (their eq. 6), p is a plain multiplier of the constraint ρᵢ ≤ ρ₀, and no density pass is
+// needed first.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/kernels.hpp"
+#include "sim/openmp/neighbours.hpp"
+#include "sim/real.hpp"
+
+namespace spindrift::sim {
+
+/// What stays the same during a run.
+struct FluidConstants {
+  float spacing;         ///< m
+  float support_radius;  ///< H = 2 spacings, m
+  float rest_density;    ///< ρ₀, kg/m³
+  float volume;          ///< V = m/ρ₀: a full lattice has exactly the rest density, m³
+  float viscosity;       ///< dynamic viscosity μ, Pa·s
+};
+
+/// Boundary samples and the lists of those near each fluid particle.
+struct BoundaryView {
+  Vec3Arrays position;                 ///< m
+  const float* volume = nullptr;       ///< m³
+  const float* solid = nullptr;        ///< part of the density ratio that the solid makes up for
+  float* pressure = nullptr;           ///< of the last step, Pa
+  float* step_pressure = nullptr;      ///< the iterate of this step, Pa
+  NeighbourView neighbours;            ///< of each fluid particle: samples
+  NeighbourView fluid;                 ///< of each sample: fluid particles
+  const std::uint32_t* wet = nullptr;  ///< the samples that have fluid neighbours
+  std::uint32_t wet_count = 0;
+  std::uint32_t count = 0;  ///< all samples
+};
+
+/// ρᵢ/ρ₀ at `position`.
+inline float density_ratio(std::uint32_t i, const FluidConstants& c, const CubicKernel& kernel,
+                           const Vec3Arrays& position, const NeighbourView& neighbours,
+                           const BoundaryView& boundary) {
+  const Vec3<float> xi = position[i];
+  const float fluid = neighbours.sum(i, [&](auto j) {
+    const auto d = xi - position[j];
+    return kernel.value(square_root(dot(d, d)));
+  });
+  const float solid = boundary.neighbours.sum(i, [&](auto b) {
+    const auto d = xi - boundary.position[b];
+    return load(boundary.volume, b) * kernel.value(square_root(dot(d, d)));
+  });
+  return c.volume * fluid + solid;
+}
+
+/// ρ_b/ρ₀ of boundary sample b, with the fluid particles at `position`.
+inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
+                                    const CubicKernel& kernel, const Vec3Arrays& position,
+                                    const BoundaryView& boundary) {
+  const Vec3<float> xb = boundary.position[b];
+  const float fluid = boundary.fluid.sum(b, [&](auto j) {
+    const auto d = xb - position[j];
+    return kernel.value(square_root(dot(d, d)));
+  });
+  return boundary.solid[b] + c.volume * fluid;
+}
+
+/// Acceleration by pressure, m/s².
+template <class Kernel>
+Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c, const Kernel& kernel,
+                                  const Vec3Arrays& position, const float* pressure,
+                                  const NeighbourView& neighbours, const BoundaryView& boundary) {
+  const Vec3<float> xi = position[i];
+  const float pi = pressure[i];
+  const Vec3<float> fluid = neighbours.sum(i, [&](auto j) {
+    const auto d = xi - position[j];
+    return ((pi + load(pressure, j)) * kernel.gradient(square_root(dot(d, d)))) * d;
+  });
+  const Vec3<float> solid = boundary.neighbours.sum(i, [&](auto b) {
+    const auto d = xi - boundary.position[b];
+    const auto p = pi + load(boundary.step_pressure, b);
+    return (load(boundary.volume, b) * p * kernel.gradient(square_root(dot(d, d)))) * d;
+  });
+  return (-1.f / c.rest_density) * (c.volume * fluid + solid);
+}
+
+/// Acceleration by viscosity (Müller et al. 2003, eq. 14), m/s²: (μ/ρ₀) V Σⱼ (vⱼ − vᵢ) ∇²W.
+inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c,
+                                        const ViscosityKernel& kernel, const Vec3Arrays& position,
+                                        const Vec3Arrays& velocity,
+                                        const NeighbourView& neighbours) {
+  const Vec3<float> xi = position[i], vi = velocity[i];
+  const Vec3<float> sum = neighbours.sum(i, [&](auto j) {
+    const auto d = xi - position[j];
+    return kernel.laplacian(square_root(dot(d, d))) * (velocity[j] - vi);
+  });
+  return (c.viscosity / c.rest_density * c.volume) * sum;
+}
+
+}  // namespace spindrift::sim

@@ -1,0 +1,99 @@
+// Smoothing kernels, all zero from r = H on, H the support radius.
+//   cubic spline: Monaghan 2005; spiky and viscosity: Müller, Charypar, Gross 2003, eqs. 21 and 22.
+// Gradients are given as ∇W / r⃗ (a scalar): ∇W(r⃗) = gradient(r) r⃗, with r⃗ = xᵢ − xⱼ. They are
+// negative. Every function takes one distance (float) or eight (Lanes) and is free of branches.
+#pragma once
+
+#include <numbers>
+
+#include "sim/real.hpp"
+
+namespace spindrift::sim {
+
+struct CubicKernel {
+  float inverse_radius;  ///< 1/H, 1/m
+  float scale;           ///< 8/(πH³), 1/m³
+  float gradient_scale;  ///< 6·8/(πH⁵), 1/m⁵
+
+  explicit CubicKernel(float support_radius) {
+    const double h = support_radius;
+    inverse_radius = static_cast<float>(1 / h);
+    scale = static_cast<float>(8 / (std::numbers::pi * h * h * h));
+    gradient_scale = static_cast<float>(48 / (std::numbers::pi * h * h * h * h * h));
+  }
+
+  template <class Real>
+  Real value(Real r) const {
+    const Real q = r * inverse_radius;
+    const Real c = 1.f - q;
+    const Real inner = 1.f - 6.f * q * q * c;
+    const Real outer = 2.f * c * c * c;
+    const Real zero = q * 0.f;
+    return scale * (q <= 0.5f ? inner : (q < 1.f ? outer : zero));
+  }
+
+  template <class Real>
+  Real gradient(Real r) const {
+    const Real q = r * inverse_radius;
+    const Real c = 1.f - q;
+    const Real inner = 3.f * q - 2.f;
+    const Real outer = -c * c / q;
+    const Real zero = q * 0.f;
+    return gradient_scale * (q <= 0.5f ? inner : (q < 1.f ? outer : zero));
+  }
+};
+
+struct SpikyKernel {
+  float support_radius;  ///< H, m
+  float scale;           ///< 15/(πH⁶)
+
+  explicit SpikyKernel(float radius) : support_radius(radius) {
+    const double h = radius;
+    scale = static_cast<float>(15 / (std::numbers::pi * h * h * h * h * h * h));
+  }
+
+  template <class Real>
+  Real value(Real r) const {
+    const Real c = support_radius - r;
+    const Real zero = r * 0.f;
+    return scale * (c > 0.f ? c * c * c : zero);
+  }
+
+  /// At r = 0 the gradient has no direction; it is taken as zero there.
+  template <class Real>
+  Real gradient(Real r) const {
+    const Real c = support_radius - r;
+    const Real zero = r * 0.f;
+    const Real slope = -3.f * scale * c * c / r;
+    return c > 0.f ? (r > 0.f ? slope : zero) : zero;
+  }
+};
+
+struct ViscosityKernel {
+  float support_radius;  ///< H, m
+  float value_scale;     ///< 15/(2πH³)
+  float scale;           ///< 45/(πH⁶)
+
+  explicit ViscosityKernel(float radius) : support_radius(radius) {
+    const double h = radius;
+    value_scale = static_cast<float>(15 / (2 * std::numbers::pi * h * h * h));
+    scale = static_cast<float>(45 / (std::numbers::pi * h * h * h * h * h * h));
+  }
+
+  /// Infinite at r = 0.
+  template <class Real>
+  Real value(Real r) const {
+    const Real q = r / support_radius;
+    const Real zero = r * 0.f;
+    return value_scale * (q < 1.f ? q * q * (1.f - 0.5f * q) + 0.5f / q - 1.f : zero);
+  }
+
+  template <class Real>
+  Real laplacian(Real r) const {
+    const Real c = support_radius - r;
+    const Real zero = r * 0.f;
+    return scale * (c > 0.f ? c : zero);
+  }
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,93 @@
+// The liquid's particles as a structure of arrays.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "sim/openmp/neighbours.hpp"
+#include "sim/real.hpp"
+
+namespace spindrift::sim {
+
+/// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
+class ScalarField {
+ public:
+  void resize(std::uint32_t n) { values_.resize(n + 2 * lane_count, 0.f); }
+  float* data() { return values_.data(); }
+  /// The data of n elements; those that were there keep their values.
+  float* resized(std::uint32_t n) {
+    resize(n);
+    return data();
+  }
+  float& operator[](std::uint32_t i) { return values_[i]; }
+  float operator[](std::uint32_t i) const { return values_[i]; }
+  void fill(float value) { std::fill(values_.begin(), values_.end(), value); }
+  void swap(ScalarField& other) { values_.swap(other.values_); }
+  std::size_t memory_bytes() const { return values_.capacity() * sizeof(float); }
+
+ private:
+  std::vector<float> values_;
+};
+
+/// One vector per particle, as three arrays.
+class VectorField {
+ public:
+  void resize(std::uint32_t n) {
+    for (ScalarField& c : components_)
+      c.resize(n);
+  }
+  Vec3Arrays view() {
+    return {components_[0].data(), components_[1].data(), components_[2].data()};
+  }
+  ScalarField& component(int c) { return components_[c]; }
+  void fill(float value) {
+    for (ScalarField& c : components_)
+      c.fill(value);
+  }
+  glm::vec3 at(std::uint32_t i) const {
+    return {components_[0][i], components_[1][i], components_[2][i]};
+  }
+  std::size_t memory_bytes() const { return 3 * components_[0].memory_bytes(); }
+
+ private:
+  ScalarField components_[3];
+};
+
+/// State that lasts from step to step, and what a step needs besides.
+struct Particles {
+  std::uint32_t count = 0;
+
+  // State at the current time. A step that is rejected leaves it as it was, but for the order.
+  VectorField position;  ///< m
+  VectorField velocity;  ///< m/s, over the last step (leapfrog: at the middle of that step)
+  ScalarField pressure;  ///< Pa, of the last step
+  std::vector<std::uint32_t> ids;  ///< number in the initial lattice
+
+  // Within a step.
+  VectorField drifted_position;    ///< where particles are about to be, but for pressure, m
+  VectorField drifted_velocity;    ///< with all but pressure, m/s
+  VectorField acceleration;        ///< viscous, then by pressure, m/s²
+  VectorField corrected_position;  ///< with pressure, m
+  ScalarField density_ratio;       ///< ρ/ρ₀
+  ScalarField step_pressure;       ///< the iterate of this step, Pa
+
+  void resize(std::uint32_t n) {
+    count = n;
+    for (VectorField* f : {&position, &velocity, &drifted_position, &drifted_velocity,
+                           &acceleration, &corrected_position})
+      f->resize(n);
+    for (ScalarField* f : {&pressure, &density_ratio, &step_pressure})
+      f->resize(n);
+    ids.resize(n);
+  }
+
+  std::size_t memory_bytes() const {
+    return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() +
+           ids.capacity() * sizeof(std::uint32_t);
+  }
+};
+
+}  // namespace spindrift::sim

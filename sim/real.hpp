@@ -1,0 +1,102 @@
+// Arithmetic types of the per-particle formulas. A formula is a template over its number type:
+// `float` for one neighbour at a time, `Lanes` for eight at once (one AVX register, or two SSE
+// ones; the order of operations is the same on both, so the results are too).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
+
+namespace spindrift::sim {
+
+constexpr int lane_count = 8;
+using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
+using IndexLanes = std::int32_t __attribute__((vector_size(lane_count * sizeof(std::int32_t))));
+
+inline float square_root(float x) {
+  return std::sqrt(x);
+}
+
+inline Lanes square_root(Lanes x) {
+#ifdef __AVX__
+  return _mm256_sqrt_ps(x);
+#else
+  Lanes r;
+  for (int k = 0; k < lane_count; ++k)
+    r[k] = std::sqrt(x[k]);
+  return r;
+#endif
+}
+
+/// The elements `j` of an array.
+inline float load(const float* a, std::uint32_t j) {
+  return a[j];
+}
+
+inline Lanes load(const float* a, IndexLanes j) {
+#ifdef __AVX2__
+  return _mm256_i32gather_ps(a, reinterpret_cast<__m256i>(j), 4);
+#else
+  Lanes r;
+  for (int k = 0; k < lane_count; ++k)
+    r[k] = a[j[k]];
+  return r;
+#endif
+}
+
+/// Sum of the lanes, always in the same order.
+inline float reduce(Lanes v) {
+  const float s0 = v[0] + v[4], s1 = v[1] + v[5], s2 = v[2] + v[6], s3 = v[3] + v[7];
+  return (s0 + s2) + (s1 + s3);
+}
+
+template <class Real>
+struct Vec3 {
+  Real x, y, z;
+};
+
+template <class A, class B>
+inline auto operator+(const Vec3<A>& a, const Vec3<B>& b) {
+  return Vec3<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class A, class B>
+inline auto operator-(const Vec3<A>& a, const Vec3<B>& b) {
+  return Vec3<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class S, class A>
+inline auto operator*(S s, const Vec3<A>& a) {
+  return Vec3<decltype(s * a.x)>{s * a.x, s * a.y, s * a.z};
+}
+template <class A>
+inline Vec3<A>& operator+=(Vec3<A>& a, const Vec3<A>& b) {
+  a = a + b;
+  return a;
+}
+template <class A>
+inline A dot(const Vec3<A>& a, const Vec3<A>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vec3<float> reduce(const Vec3<Lanes>& a) {
+  return {reduce(a.x), reduce(a.y), reduce(a.z)};
+}
+
+/// Three arrays that hold one vector per particle.
+struct Vec3Arrays {
+  float* x = nullptr;
+  float* y = nullptr;
+  float* z = nullptr;
+
+  template <class Index>
+  auto operator[](Index j) const {
+    return Vec3<decltype(load(x, j))>{load(x, j), load(y, j), load(z, j)};
+  }
+  void set(std::uint32_t i, const Vec3<float>& v) const {
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
+  }
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,208 @@
+#include "sim/shapes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/contact.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+/// How many lattice cells fit along a length; a length that is short of a whole number by rounding
+/// only still counts as whole.
+int cells_along(float length, float spacing) {
+  return static_cast<int>(std::floor(length / spacing + 0.01f));
+}
+
+std::vector<glm::vec3> fill_box(const Box& box, float d) {
+  const glm::vec3 size = box.max - box.min;
+  const int nx = cells_along(size.x, d), ny = cells_along(size.y, d), nz = cells_along(size.z, d);
+  std::vector<glm::vec3> points;
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i)
+        points.push_back(box.min + d * (glm::vec3(i, j, k) + 0.5f));
+  return points;
+}
+
+/// Lattice centred on `center`, kept where inside(p) holds.
+template <class Inside>
+std::vector<glm::vec3> fill_centred(const Box& bounds, glm::vec3 center, float d, Inside inside) {
+  const glm::vec3 half = 0.5f * (bounds.max - bounds.min) / d;
+  const glm::ivec3 n(glm::ceil(half));
+  std::vector<glm::vec3> points;
+  for (int k = -n.z; k <= n.z; ++k)
+    for (int j = -n.y; j <= n.y; ++j)
+      for (int i = -n.x; i <= n.x; ++i) {
+        const glm::vec3 p = center + d * glm::vec3(i, j, k);
+        if (inside(p))
+          points.push_back(p);
+      }
+  return points;
+}
+
+/// Surface of a box of points: a lattice stretched to end exactly at both corners.
+std::vector<glm::vec3> box_surface(glm::vec3 min, glm::vec3 max, float d) {
+  const glm::ivec3 n = glm::max(glm::ivec3(glm::round((max - min) / d)), glm::ivec3(1));
+  const glm::vec3 step = (max - min) / glm::vec3(n);
+  std::vector<glm::vec3> points;
+  for (int k = 0; k <= n.z; ++k)
+    for (int j = 0; j <= n.y; ++j)
+      for (int i = 0; i <= n.x; ++i) {
+        const bool on_face = i == 0 || i == n.x || j == 0 || j == n.y || k == 0 || k == n.z;
+        if (on_face)
+          points.push_back(min + step * glm::vec3(i, j, k));
+      }
+  return points;
+}
+
+/// A spiral with equal area per point: height falls evenly, the angle grows by the golden angle.
+std::vector<glm::vec3> sphere_surface(glm::vec3 center, float radius, float d) {
+  const double area = 4 * std::numbers::pi * radius * radius;
+  const int n = std::max(1, static_cast<int>(std::lround(area / (d * d))));
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  std::vector<glm::vec3> points;
+  for (int k = 0; k < n; ++k) {
+    const double y = 1 - (2 * k + 1) / static_cast<double>(n);
+    const double ring = std::sqrt(1 - y * y), angle = golden_angle * k;
+    points.push_back(center +
+                     radius * glm::vec3(ring * std::cos(angle), y, ring * std::sin(angle)));
+  }
+  return points;
+}
+
+/// Rings up the side and concentric rings on both ends.
+std::vector<glm::vec3> cylinder_surface(glm::vec3 from, glm::vec3 to, float radius, float d) {
+  const glm::vec3 axis = glm::normalize(to - from);
+  const glm::vec3 helper = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 u = glm::normalize(glm::cross(axis, helper)), v = glm::cross(axis, u);
+  std::vector<glm::vec3> points;
+  const auto add_ring = [&](glm::vec3 center, float r) {
+    const int n = std::max(1, static_cast<int>(std::lround(2 * std::numbers::pi * r / d)));
+    for (int k = 0; k < n; ++k) {
+      const float angle =
+          2 * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(n);
+      points.push_back(center + r * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+  };
+  const int layers = std::max(1, static_cast<int>(std::lround(glm::length(to - from) / d)));
+  for (int k = 0; k <= layers; ++k)
+    add_ring(from + (to - from) * (static_cast<float>(k) / static_cast<float>(layers)), radius);
+  const int rings = static_cast<int>(std::lround(radius / d));
+  for (int k = 0; k < rings; ++k) {
+    const float r = radius * static_cast<float>(k) / static_cast<float>(rings);
+    add_ring(from, r);
+    add_ring(to, r);
+  }
+  return points;
+}
+
+glm::vec3 to_glm(const Vec3<float>& p) {
+  return {p.x, p.y, p.z};
+}
+
+}  // namespace
+
+std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing) {
+  return std::visit(Overloaded{[&](const Box& b) { return fill_box(b, spacing); },
+                               [&](const auto& s) {
+                                 const Box bounds = bounds_of(shape);
+                                 glm::vec3 center;
+                                 if constexpr (requires { s.center; })
+                                   center = s.center;
+                                 else
+                                   center = 0.5f * (s.from + s.to);
+                                 return fill_centred(bounds, center, spacing, [&](glm::vec3 p) {
+                                   return to_glm(push_out(shape, {p.x, p.y, p.z})) != p;
+                                 });
+                               }},
+                    shape);
+}
+
+std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing) {
+  const float inset = 0.5f * spacing;
+  return std::visit(
+      Overloaded{[&](const Box& b) {
+                   const glm::vec3 most = 0.5f * (b.max - b.min);
+                   const glm::vec3 in = glm::min(glm::vec3(inset), most);
+                   return box_surface(b.min + in, b.max - in, spacing);
+                 },
+                 [&](const Sphere& s) {
+                   return sphere_surface(s.center, std::max(s.radius - inset, 0.1f * s.radius),
+                                         spacing);
+                 },
+                 [&](const Cylinder& c) {
+                   const glm::vec3 axis = c.to - c.from;
+                   const float length = glm::length(axis);
+                   const glm::vec3 in = axis * (std::min(inset, 0.4f * length) / length);
+                   return cylinder_surface(c.from + in, c.to - in,
+                                           std::max(c.radius - inset, 0.1f * c.radius), spacing);
+                 }},
+      shape);
+}
+
+std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing) {
+  return box_surface(domain.min - 0.5f * spacing, domain.max + 0.5f * spacing, spacing);
+}
+
+Box bounds_of(const Shape& shape) {
+  return std::visit(
+      Overloaded{[](const Box& b) { return b; },
+                 [](const Sphere& s) {
+                   return Box{s.center - s.radius, s.center + s.radius};
+                 },
+                 [](const Cylinder& c) {
+                   const glm::vec3 axis = glm::normalize(c.to - c.from);
+                   const glm::vec3 reach = c.radius * glm::sqrt(glm::max(1.f - axis * axis, 0.f));
+                   return Box{glm::min(c.from, c.to) - reach, glm::max(c.from, c.to) + reach};
+                 }},
+      shape);
+}
+
+Vec3<float> push_out(const Shape& shape, Vec3<float> p) {
+  const glm::vec3 q(p.x, p.y, p.z);
+  const auto from_glm = [](glm::vec3 v) { return Vec3<float>{v.x, v.y, v.z}; };
+  return std::visit(
+      Overloaded{[&](const Box& b) {
+                   const glm::vec3 low = q - b.min, high = b.max - q;
+                   const glm::vec3 depth = glm::min(low, high);
+                   if (depth.x <= 0 || depth.y <= 0 || depth.z <= 0)
+                     return p;
+                   const int axis = depth.x <= depth.y ? (depth.x <= depth.z ? 0 : 2)
+                                                       : (depth.y <= depth.z ? 1 : 2);
+                   glm::vec3 out = q;
+                   out[axis] = low[axis] <= high[axis] ? b.min[axis] : b.max[axis];
+                   return from_glm(out);
+                 },
+                 [&](const Sphere& s) {
+                   const glm::vec3 offset = q - s.center;
+                   const float r = glm::length(offset);
+                   if (r >= s.radius)
+                     return p;
+                   const glm::vec3 n = r > 0 ? offset / r : glm::vec3(0, 1, 0);
+                   return from_glm(s.center + s.radius * n);
+                 },
+                 [&](const Cylinder& c) {
+                   const float length = glm::length(c.to - c.from);
+                   const glm::vec3 axis = (c.to - c.from) / length;
+                   const float along = glm::dot(q - c.from, axis);
+                   const glm::vec3 radial = q - c.from - along * axis;
+                   const float r = glm::length(radial);
+                   if (along <= 0 || along >= length || r >= c.radius)
+                     return p;
+                   const float side = c.radius - r, below = along, above = length - along;
+                   if (side <= below && side <= above) {
+                     const glm::vec3 n = r > 0 ? radial / r : glm::vec3(axis.y, axis.z, axis.x);
+                     return from_glm(c.from + along * axis + c.radius * n);
+                   }
+                   return from_glm(below <= above ? q - below * axis : q + above * axis);
+                 }},
+      shape);
+}
+
+}  // namespace spindrift::sim

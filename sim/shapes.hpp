@@ -1,0 +1,25 @@
+// Sampling of shapes: lattices inside for the liquid, layers of points on surfaces for walls.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "sim/settings.hpp"
+
+namespace spindrift::sim {
+
+/// Lattice points of the given spacing inside a shape, x fastest, m. In a box the first point lies
+/// half a spacing inside its lowest corner; in other shapes the lattice is centred.
+std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing);
+
+/// Points on the surface of an obstacle, half a spacing below it, about one per spacing², m.
+std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing);
+
+/// Points on the walls of the domain, half a spacing outside its faces, on a lattice that is
+/// aligned with the liquid's where the domain is a whole number of spacings wide, m.
+std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing);
+
+/// The smallest box around a shape.
+Box bounds_of(const Shape& shape);
+
+}  // namespace spindrift::sim

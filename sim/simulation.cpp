@@ -1,0 +1,345 @@
+#include "sim/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/lattice.hpp"
+#include "sim/neighbourhood.hpp"
+#include "sim/pcisph.hpp"
+#include "sim/shapes.hpp"
+#include "sim/time_step.hpp"
+#include "sim/wcsph.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+/// Neighbours are listed a little beyond the support radius, since pressure moves particles on from
+/// where the lists were made.
+constexpr float list_radius_factor = 1.05f;
+
+FluidConstants constants_of(const FluidSettings& fluid) {
+  const float radius = 2 * fluid.spacing;
+  const CubicKernel kernel(radius);
+  return {.spacing = fluid.spacing,
+          .support_radius = radius,
+          .rest_density = fluid.rest_density,
+          .volume = static_cast<float>(1 / lattice_kernel_sum(kernel, fluid.spacing, radius)),
+          .viscosity = fluid.viscosity};
+}
+
+Vec3<float> from_glm(glm::vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Ten times the fastest speed that falling through the whole domain can give, m/s.
+float default_speed_of_sound(const Settings& settings, const InitialParticles& initial) {
+  float speed = 0;
+  for (const glm::vec3 v : initial.velocities)
+    speed = std::max(speed, glm::length(v));
+  float acceleration = glm::length(settings.forces.gravity);
+  for (const AccelerationKey& k : settings.forces.body)
+    acceleration += glm::length(k.acceleration);
+  const glm::vec3 size = settings.domain.max - settings.domain.min;
+  const glm::vec3 down = glm::abs(settings.forces.gravity);
+  const float height =
+      glm::length(down) > 0 ? glm::dot(size, down) / glm::length(down) : glm::length(size);
+  return 10 * std::max(std::sqrt(speed * speed + 2 * acceleration * height), 1e-3f);
+}
+
+struct Totals {
+  double compression = 0, squared_speed = 0, height = 0;
+  float max_compression = 0;
+  void join(const Totals& o) {
+    compression += o.compression;
+    squared_speed += o.squared_speed;
+    height += o.height;
+    max_compression = std::max(max_compression, o.max_compression);
+  }
+};
+
+struct Motion {
+  float squared_speed = 0;
+  std::int64_t contacts = 0;
+  void join(const Motion& o) {
+    squared_speed = std::max(squared_speed, o.squared_speed);
+    contacts += o.contacts;
+  }
+};
+
+}  // namespace
+
+InitialParticles fill_volumes(const Settings& settings) {
+  InitialParticles initial;
+  for (const Volume& volume : settings.fluid.volumes) {
+    const auto points = fill_shape(volume.shape, settings.fluid.spacing);
+    initial.positions.insert(initial.positions.end(), points.begin(), points.end());
+    initial.velocities.insert(initial.velocities.end(), points.size(), volume.velocity);
+  }
+  return initial;
+}
+
+struct Simulation::Impl {
+  Settings settings;
+  FluidConstants constants;
+  Executor executor;
+  Particles particles;
+  GridMap map;
+  Boundary boundary;
+  Neighbourhood neighbourhood;
+  std::unique_ptr<PressureSolver> solver;
+  TimeStepControl time_step;
+  double time = 0;
+  float max_speed = 0;
+  std::int64_t drift_contacts = 0;
+
+  Impl(const Settings& s, const InitialParticles& initial)
+      : settings(s),
+        constants(constants_of(s.fluid)),
+        map(GridMap::over(from_glm(s.domain.min - s.fluid.spacing),
+                          from_glm(s.domain.max + s.fluid.spacing),
+                          list_radius_factor * constants.support_radius)),
+        boundary(s, map, constants.support_radius),
+        neighbourhood(map, boundary),
+        solver(make_solver(initial)),
+        time_step(s.solver, constants, solver->time_step_limit()) {
+    if (initial.positions.empty())
+      throw std::invalid_argument(
+          "the scene has no particles: no volume is as wide as fluid.spacing");
+    const auto n = static_cast<std::uint32_t>(initial.positions.size());
+    particles.resize(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      particles.position.view().set(i, from_glm(initial.positions[i]));
+      particles.velocity.view().set(i, from_glm(initial.velocities[i]));
+      particles.ids[i] = i;
+      max_speed = std::max(max_speed, glm::length(initial.velocities[i]));
+    }
+  }
+
+  std::unique_ptr<PressureSolver> make_solver(const InitialParticles& initial) const {
+    if (settings.solver.type == SolverType::pcisph)
+      return make_pcisph(settings.solver, constants);
+    const float c = settings.solver.speed_of_sound;
+    return make_wcsph(settings.solver, constants,
+                      c > 0 ? c : default_speed_of_sound(settings, initial));
+  }
+
+  ContactView contact() const {
+    return {from_glm(settings.domain.min), from_glm(settings.domain.max), settings.obstacles.data(),
+            settings.obstacles.size()};
+  }
+
+  /// One accepted step of at most dt; returns its length, s.
+  double step(double dt, FrameStatistics& statistics) {
+    for (;; dt = time_step.refused(dt), ++statistics.rejected_steps) {
+      drift(dt);
+      neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
+      const StepContext context{.executor = executor,
+                                .particles = particles,
+                                .constants = constants,
+                                .neighbours = neighbourhood.fluid(),
+                                .boundary = neighbourhood.boundary(),
+                                .contact = contact(),
+                                .time_step = static_cast<float>(dt),
+                                .last_time_step = static_cast<float>(time_step.last())};
+      if (constants.viscosity > 0)
+        apply_viscosity(context);
+      const StepResult result = solver->solve(context);
+      statistics.iterations += result.iterations;
+      if (!result.accepted)
+        continue;
+      statistics.contacts += integrate(context);
+      break;
+    }
+    time_step.accepted(dt);
+    return dt;
+  }
+
+  /// All but what depends on neighbours. Leapfrog: velocities belong to the middle of a step, so
+  /// that the kick at its start spans half of the last step and half of this one, and free fall is
+  /// exact.
+  void drift(double dt) {
+    const float kick = static_cast<float>(0.5 * (time_step.last() + dt)),
+                step = static_cast<float>(dt);
+    const Vec3<float> dv = kick * body_acceleration(settings.forces, time);
+    const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
+                     drifted_x = particles.drifted_position.view(),
+                     drifted_v = particles.drifted_velocity.view();
+    const ContactView walls = contact();
+    drift_contacts = executor
+                         .reduce<Motion>("drift", particles.count,
+                                         [=](std::uint32_t i) {
+                                           const Vec3<float> velocity = v[i] + dv;
+                                           const Vec3<float> free = x[i] + step * velocity;
+                                           const Vec3<float> held = walls.resolve(free);
+                                           const Vec3<float> push = held - free;
+                                           drifted_x.set(i, held);
+                                           drifted_v.set(i, velocity + (1 / step) * push);
+                                           return Motion{0, dot(push, push) > 0};
+                                         })
+                         .contacts;
+  }
+
+  void apply_viscosity(const StepContext& s) {
+    const ViscosityKernel kernel(constants.support_radius);
+    const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view(),
+                     a = particles.acceleration.view();
+    v.set(particles.count, {0, 0, 0});
+    executor.for_each("viscosity", particles.count, [&](std::uint32_t i) {
+      a.set(i, viscous_acceleration(i, constants, kernel, x, v, s.neighbours));
+    });
+    const float dt = s.time_step;
+    const ContactView walls = s.contact;
+    executor.for_each("apply viscosity", particles.count, [=](std::uint32_t i) {
+      v.set(i, v[i] + dt * a[i]);
+      x.set(i, walls.resolve(x[i] + (dt * dt) * a[i]));
+    });
+  }
+
+  /// Takes over the corrected positions; returns how many particles were stopped by a surface.
+  std::int64_t integrate(const StepContext& s) {
+    const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
+                     drifted_x = particles.drifted_position.view(),
+                     drifted_v = particles.drifted_velocity.view(),
+                     corrected = particles.corrected_position.view(),
+                     a = particles.acceleration.view();
+    float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data();
+    const float dt = s.time_step;
+    const Motion motion =
+        executor.reduce<Motion>("integrate", particles.count, [=](std::uint32_t i) {
+          const Vec3<float> free = drifted_x[i] + (dt * dt) * a[i];
+          const Vec3<float> push = corrected[i] - free;
+          const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
+          x.set(i, corrected[i]);
+          v.set(i, velocity);
+          pressure[i] = new_pressure[i];
+          return Motion{dot(velocity, velocity), dot(push, push) > 0};
+        });
+    const BoundaryView& solid = s.boundary;
+    for (std::uint32_t k = 0; k < solid.wet_count; ++k)
+      solid.pressure[solid.wet[k]] = solid.step_pressure[solid.wet[k]];
+    max_speed = std::sqrt(motion.squared_speed);
+    return motion.contacts + drift_contacts;
+  }
+
+  /// Recomputes the density from the positions with the full neighbourhood, and the energies.
+  void measure(FrameStatistics& statistics) {
+    const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+    executor.for_each("measure", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
+    neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
+    const CubicKernel kernel(constants.support_radius);
+    const NeighbourView neighbours = neighbourhood.fluid();
+    const BoundaryView solid = neighbourhood.boundary();
+    const Vec3Arrays position = particles.drifted_position.view(), v = particles.velocity.view();
+    float* ratio = particles.density_ratio.data();
+    const glm::vec3 g = settings.forces.gravity;
+    const glm::vec3 lowest(g.x > 0 ? settings.domain.max.x : settings.domain.min.x,
+                           g.y > 0 ? settings.domain.max.y : settings.domain.min.y,
+                           g.z > 0 ? settings.domain.max.z : settings.domain.min.z);
+    const Vec3<float> down = from_glm(g), origin = from_glm(lowest);
+    const Totals t = executor.reduce<Totals>("measure", particles.count, [&](std::uint32_t i) {
+      ratio[i] = density_ratio(i, constants, kernel, position, neighbours, solid);
+      const float error = std::max(0.f, ratio[i] - 1.f);
+      return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), error};
+    });
+    const double mass = double{constants.rest_density} * constants.volume;
+    statistics.mean_compression = t.compression / particles.count;
+    statistics.max_compression = t.max_compression;
+    statistics.max_speed = max_speed;
+    statistics.kinetic_energy = 0.5 * mass * t.squared_speed;
+    statistics.potential_energy = mass * t.height;
+  }
+
+  FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
+    FrameStatistics statistics;
+    const double tiny = 1e-9 * std::max(1.0, std::abs(end));
+    while (end - time > tiny) {
+      if (stop != nullptr && *stop) return statistics;
+      const Vec3<float> a = body_acceleration(settings.forces, time);
+      const double wanted = time_step.next(end - time, max_speed, std::sqrt(dot(a, a)));
+      const double dt = step(wanted, statistics);
+      time += dt;
+      statistics.min_time_step =
+          statistics.steps == 0 ? dt : std::min(statistics.min_time_step, dt);
+      statistics.max_time_step = std::max(statistics.max_time_step, dt);
+      ++statistics.steps;
+    }
+    time = end;
+    measure(statistics);
+    return statistics;
+  }
+};
+
+Simulation::Simulation(const Settings& settings)
+    : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {}
+
+Simulation::Simulation(const Settings& settings, const Frame& start)
+    : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {
+  Particles& p = impl_->particles;
+  if (start.positions.size() != p.count)
+    throw std::invalid_argument(
+        fmt::format("cannot go on from a frame of {} particles: the scene has {}",
+                    start.positions.size(), p.count));
+  float squared_speed = 0;
+  for (std::uint32_t i = 0; i < p.count; ++i) {
+    p.position.view().set(i, from_glm(start.positions[i]));
+    p.velocity.view().set(i, from_glm(start.velocities[i]));
+    p.pressure[i] = start.pressures[i];
+    p.ids[i] = start.ids[i];
+    const Vec3<float> v = from_glm(start.velocities[i]);
+    squared_speed = std::max(squared_speed, dot(v, v));
+  }
+  if (start.boundary_pressures.size() != impl_->boundary.count())
+    throw std::invalid_argument("cannot go on from a frame with other walls or obstacles");
+  std::copy(start.boundary_pressures.begin(), start.boundary_pressures.end(),
+            impl_->boundary.pressures().data());
+  impl_->max_speed = std::sqrt(squared_speed);
+  impl_->time = start.time;
+  impl_->time_step.set_last(start.last_time_step);
+}
+
+Simulation::~Simulation() = default;
+
+FrameStatistics Simulation::advance_to(double time, const std::atomic<bool>* stop) {
+  return impl_->advance_to(time, stop);
+}
+
+Frame Simulation::frame() const {
+  const Particles& p = impl_->particles;
+  Frame frame;
+  frame.time = impl_->time;
+  frame.last_time_step = impl_->time_step.last();
+  frame.ids = p.ids;
+  Boundary& boundary = impl_->boundary;
+  frame.boundary_pressures.assign(boundary.pressures().data(),
+                                  boundary.pressures().data() + boundary.count());
+  for (std::uint32_t i = 0; i < p.count; ++i) {
+    frame.positions.push_back(p.position.at(i));
+    frame.velocities.push_back(p.velocity.at(i));
+    frame.densities.push_back(p.density_ratio[i] * impl_->constants.rest_density);
+    frame.pressures.push_back(p.pressure[i]);
+  }
+  return frame;
+}
+
+std::size_t Simulation::particle_count() const {
+  return impl_->particles.count;
+}
+std::size_t Simulation::boundary_particle_count() const {
+  return impl_->boundary.count();
+}
+
+std::size_t Simulation::memory_bytes() const {
+  return impl_->particles.memory_bytes() + impl_->neighbourhood.memory_bytes() +
+         impl_->boundary.memory_bytes();
+}
+
+std::vector<PhaseTime> Simulation::phase_times() const {
+  std::vector<PhaseTime> times;
+  for (const auto& e : impl_->executor.clock().entries())
+    times.push_back({std::string(e.name), e.seconds, e.calls});
+  return times;
+}
+
+}  // namespace spindrift::sim

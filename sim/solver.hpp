@@ -1,0 +1,39 @@
+// What a pressure solver is given and what it answers.
+#pragma once
+
+#include "sim/contact.hpp"
+#include "sim/formulas.hpp"
+#include "sim/openmp/executor.hpp"
+#include "sim/particles.hpp"
+
+namespace spindrift::sim {
+
+/// One time step after all but pressure has been applied: particles have drifted to where they
+/// would be.
+struct StepContext {
+  Executor& executor;
+  Particles& particles;
+  const FluidConstants& constants;
+  NeighbourView neighbours;  ///< around the drifted positions
+  BoundaryView boundary;
+  ContactView contact;
+  float time_step;       ///< Δt, s
+  float last_time_step;  ///< that of the step before, s; 0 at the start
+};
+
+struct StepResult {
+  bool accepted = true;  ///< false: repeat the step with a smaller Δt
+  int iterations = 0;
+};
+
+/// Leaves `acceleration` (by pressure), `step_pressure` and `corrected_position` such that
+///   corrected position = contact(drifted position + Δt² acceleration).
+class PressureSolver {
+ public:
+  virtual ~PressureSolver() = default;
+  virtual StepResult solve(const StepContext& step) = 0;
+  /// Largest stable time step of the solver itself, s.
+  virtual float time_step_limit() const = 0;
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,89 @@
+#include "sim/time_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/lattice.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+/// A step is at most this much longer than the one before it.
+constexpr double growth = 1.3;
+
+/// Explicit diffusion: velocities relax at the rate (μ/ρ₀) V Σ∇²W towards their neighbours'; the
+/// fastest mode decays at up to twice that rate, and a step must stay below 2 / (2 rate). Half of
+/// it is taken.
+double viscosity_limit(const FluidConstants& c) {
+  if (c.viscosity <= 0)
+    return INFINITY;
+  const ViscosityKernel kernel(c.support_radius);
+  double sum = 0;
+  for_lattice_points(c.spacing, c.support_radius, [&](const Vec3<float>& p) {
+    const float r = square_root(dot(p, p));
+    if (r > 0)
+      sum += kernel.laplacian(r);
+  });
+  return 0.5 / (double{c.viscosity} / c.rest_density * c.volume * sum);
+}
+
+}  // namespace
+
+TimeStepControl::TimeStepControl(const SolverSettings& settings, const FluidConstants& constants,
+                                 float solver_limit)
+    : settings_(settings),
+      support_radius_(constants.support_radius),
+      fixed_limit_(std::min(
+          {double{settings.max_time_step}, double{solver_limit}, viscosity_limit(constants)})) {}
+
+double TimeStepControl::next(double remaining, double max_speed, double acceleration) const {
+  double limit = fixed_limit_;
+  if (max_speed > 0)
+    limit = std::min(limit, settings_.cfl * support_radius_ / max_speed);
+  // A particle at rest must not be accelerated across a fraction of its support either (Ihmsen et
+  // al. 2010).
+  if (acceleration > 0)
+    limit = std::min(limit, std::sqrt(settings_.cfl * support_radius_ / acceleration));
+  if (last_ > 0)
+    limit = std::min(limit, growth * last_);
+  limit = std::max(limit, double{settings_.min_time_step});
+  return remaining / std::ceil(remaining / limit * (1 - 1e-9));
+}
+
+void TimeStepControl::accepted(double time_step) {
+  last_ = time_step;
+}
+
+double TimeStepControl::refused(double time_step) {
+  const double smaller = 0.5 * time_step;
+  if (smaller < settings_.min_time_step)
+    throw std::runtime_error(fmt::format(
+        "no time step down to solver.min_time_step = {:g} s keeps the compression within "
+        "solver.max_compression and solver.mean_compression; raise those, or solver.max_iterations",
+        settings_.min_time_step));
+  return smaller;
+}
+
+Vec3<float> body_acceleration(const ForceSettings& forces, double time) {
+  glm::vec3 a = forces.gravity;
+  const auto& keys = forces.body;
+  if (!keys.empty()) {
+    const auto after = std::find_if(keys.begin(), keys.end(),
+                                    [&](const AccelerationKey& k) { return k.time > time; });
+    if (after == keys.begin()) {
+      a += keys.front().acceleration;
+    } else if (after == keys.end()) {
+      a += keys.back().acceleration;
+    } else {
+      const auto before = after - 1;
+      const auto f = static_cast<float>((time - before->time) / (after->time - before->time));
+      a += glm::mix(before->acceleration, after->acceleration, f);
+    }
+  }
+  return {a.x, a.y, a.z};
+}
+
+}  // namespace spindrift::sim

@@ -1,0 +1,38 @@
+// How long the next step may be: the CFL number, forces, viscosity, and the frame's time ahead.
+#pragma once
+
+#include "sim/formulas.hpp"
+#include "sim/settings.hpp"
+
+namespace spindrift::sim {
+
+class TimeStepControl {
+ public:
+  TimeStepControl(const SolverSettings& settings, const FluidConstants& constants,
+                  float solver_limit);
+
+  /// Length of the next step, s: the largest that every limit allows, shortened so that a whole
+  /// number of equal steps lands exactly on the end of `remaining`.
+  /// @param remaining    time until the next frame, s
+  /// @param max_speed    fastest particle, m/s
+  /// @param acceleration largest body acceleration, m/s²
+  double next(double remaining, double max_speed, double acceleration) const;
+
+  /// A step was accepted, or refused; after a refusal steps grow back gradually.
+  void accepted(double time_step);
+  double refused(double time_step);
+
+  double last() const { return last_; }
+  void set_last(double time_step) { last_ = time_step; }
+
+ private:
+  SolverSettings settings_;
+  double support_radius_;
+  double fixed_limit_;  ///< smallest of the limits that never change, s
+  double last_ = 0;     ///< s
+};
+
+/// Body acceleration at a time, m/s²: gravity and the keyframed part.
+Vec3<float> body_acceleration(const ForceSettings& forces, double time);
+
+}  // namespace spindrift::sim

@@ -1,0 +1,78 @@
+#include "sim/wcsph.hpp"
+
+#include <cmath>
+
+namespace spindrift::sim {
+namespace {
+
+/// p = ρ₀c²/γ ((ρ/ρ₀)^γ − 1), Tait's equation as in Monaghan 2005, eq. 4.3, with γ = 7; no tension.
+inline float tait_pressure(float density_ratio, float rest_density, float speed_of_sound) {
+  const float r2 = density_ratio * density_ratio;
+  const float r7 = r2 * r2 * r2 * density_ratio;
+  return std::max(0.f, rest_density * speed_of_sound * speed_of_sound / 7.f * (r7 - 1.f));
+}
+
+template <class Kernel>
+class Wcsph : public PressureSolver {
+ public:
+  Wcsph(const SolverSettings& settings, const FluidConstants& constants, float speed_of_sound,
+        const Kernel& kernel)
+      : settings_(settings),
+        density_kernel_(constants.support_radius),
+        pressure_kernel_(kernel),
+        support_radius_(constants.support_radius),
+        speed_of_sound_(speed_of_sound) {}
+
+  StepResult solve(const StepContext& s) override {
+    Particles& p = s.particles;
+    const Vec3Arrays drifted = p.drifted_position.view(), corrected = p.corrected_position.view(),
+                     acceleration = p.acceleration.view();
+    float* pressure = p.step_pressure.data();
+    float* ratio = p.density_ratio.data();
+    s.executor.for_each("density", p.count, [&](std::uint32_t i) {
+      ratio[i] = density_ratio(i, s.constants, density_kernel_, drifted, s.neighbours, s.boundary);
+      pressure[i] = tait_pressure(ratio[i], s.constants.rest_density, speed_of_sound_);
+    });
+    pressure[p.count] = 0;
+    s.executor.for_each("boundary density", s.boundary.wet_count, [&](std::uint32_t k) {
+      const std::uint32_t b = s.boundary.wet[k];
+      s.boundary.step_pressure[b] = tait_pressure(
+          boundary_density_ratio(b, s.constants, density_kernel_, drifted, s.boundary),
+          s.constants.rest_density, speed_of_sound_);
+    });
+    const float dt2 = s.time_step * s.time_step;
+    s.executor.for_each("pressure acceleration", p.count, [&](std::uint32_t i) {
+      const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
+                                                  pressure, s.neighbours, s.boundary);
+      acceleration.set(i, a);
+      corrected.set(i, s.contact.resolve(drifted[i] + dt2 * a));
+    });
+    return {};
+  }
+
+  /// Sound must not cross a support radius in a step (Courant, Friedrichs, Lewy).
+  float time_step_limit() const override {
+    return settings_.cfl * support_radius_ / speed_of_sound_;
+  }
+
+ private:
+  SolverSettings settings_;
+  CubicKernel density_kernel_;
+  Kernel pressure_kernel_;
+  float support_radius_;
+  float speed_of_sound_;
+};
+
+}  // namespace
+
+std::unique_ptr<PressureSolver> make_wcsph(const SolverSettings& settings,
+                                           const FluidConstants& constants, float speed_of_sound) {
+  const float radius = constants.support_radius;
+  if (settings.pressure_kernel == PressureKernel::spiky)
+    return std::make_unique<Wcsph<SpikyKernel>>(settings, constants, speed_of_sound,
+                                                SpikyKernel(radius));
+  return std::make_unique<Wcsph<CubicKernel>>(settings, constants, speed_of_sound,
+                                              CubicKernel(radius));
+}
+
+}  // namespace spindrift::sim

@@ -1,0 +1,172 @@
+// What a scene file's author is told when something is wrong with it.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "app/nearest_name.hpp"
+#include "app/scene.hpp"
+
+using namespace spindrift::app;
+
+namespace {
+
+/// The message for a bad scene; empty if it is accepted.
+std::string complaint(const std::string& text, const Overrides& overrides = {}) {
+  try {
+    parse_scene(text, "bad.json", overrides);
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct Case {
+  std::string text;
+  std::vector<std::string> fragments;
+};
+
+const std::vector<Case> wrong_values{
+    {R"({"fluid": {"spacng": 1}})", {"bad.json:1:12: fluid.spacng", "did you mean \"spacing\""}},
+    {R"({"fluid": {"spaicng": 1}})", {"did you mean \"spacing\""}},
+    {R"({"fluids": {}})", {"bad.json:1:2: fluids", "did you mean \"fluid\""}},
+    {R"({"zzzzzzzz": {}})", {"zzzzzzzz", "accepted: name, fluid, domain"}},
+    {"{\n \"fluid\": {\n  \"spacing\": 0\n }\n}",
+     {"bad.json:3:3: fluid.spacing: 0 is out of range; accepted: 1e-06 ... 100 m"}},
+    {R"({"fluid": {"spacing": "x"}})", {"expected a number", "found \"x\"", "100 m"}},
+    {R"({"fluid": {"viscosity": -0.1}})", {"fluid.viscosity", "-0.1", "Pa·s"}},
+    {R"({"fluid": 3})", {"fluid: expected an object", "spacing", "found 3"}},
+    {R"({"fluid": {"volumes": {}}})", {"fluid.volumes: expected a list"}},
+    {R"({"fluid": {"volumes": []}})", {"fluid.volumes: empty"}},
+    {R"({"fluid": {"volumes": [{}]}})", {"fluid.volumes[0]", "box, sphere, cylinder", "found 0"}},
+    {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0]}}]}})",
+     {"volumes[0].box", "\"max\" is missing"}},
+    {R"({"fluid": {"volumes": [{"ball": {}}]}})", {"fluid.volumes[0].ball", "unknown key"}},
+    {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0], "max": [1,1]}}]}})",
+     {"fluid.volumes[0].box.max", "three numbers [x, y, z]", "[1,1]"}},
+    {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0], "max": [1,"1",1]}}]}})",
+     {"fluid.volumes[0].box.max[1]", "found \"1\""}},
+    {R"({"solver": {"type": "pcsph"}})", {"solver.type", "\"pcsph\"", "did you mean \"pcisph\""}},
+    {R"({"solver": {"type": "dfsph-x-y-z"}})", {"accepted: pcisph, sph"}},
+    {R"({"solver": {"type": 1}})", {"expected one of pcisph, sph, found 1"}},
+    {R"({"solver": {"min_iterations": 1.5}})", {"1.5 is not a whole number"}},
+    {R"({"look": {"floor": 1}})", {"look.floor: expected true or false, found 1"}},
+    {R"({"look": {"liquid_color": [0, 0.5, 1.2]}})", {"look.liquid_color[2]: 1.2", "0 ... 1"}},
+    {R"({"name": 7})", {"name: expected text, found 7"}},
+    {R"({"video": {"width": 100000}})", {"video.width", "16 ... 8192 pixels"}},
+    {R"({"video": {"width": null}})", {"video.width", "found null"}},
+    {R"([])", {"bad.json:1:1", "expected an object"}},
+};
+
+const std::vector<Case> wrong_together{
+    {R"({"name": "a/b"})", {"name", "can't name a folder"}},
+    {R"({"domain": {"min": [0, 5, 0]}})", {"domain", "min [0, 5, 0] is not below max", "in y"}},
+    {R"({"domain": {"max": [3, 2e4, 0.8]}})", {"domain", "20000 m from the origin in y", "100000"}},
+    {R"({"domain": {"max": [3, 2, 0.05]}})", {"domain: 0.05 m wide in z", "4 particle spacings"}},
+    {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0], "max": [0.5,0,0.5]}}]}})",
+     {"fluid.volumes[0].box", "in y"}},
+    {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0], "max": [1,1,0.81]}},
+                               {"box": {"min": [3,0,0], "max": [4,1,0.8]}}]}})",
+     {"bad.json:2:32: fluid.volumes[1]: the particle at",
+      "outside the domain [0, 0, 0] ... [3.2, 2, 0.8]"}},
+    {R"({"fluid": {"volumes": [{"sphere": {"center": [0.1,1,0.4], "radius": 0.3}}]}})",
+     {"fluid.volumes[0]", "outside the domain"}},
+    {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0], "max": [0.01,0.01,0.01]}}]}})",
+     {"fluid.volumes[0]: holds no particle at a spacing of 0.025 m"}},
+    {R"({"fluid": {"spacing": 1e-6}})", {"fluid.spacing", "particles; at most 2e+08"}},
+    {R"({"obstacles": [{"cylinder": {"from": [1,1,1], "to": [1,1,1], "radius": 1}}]})",
+     {"obstacles[0].cylinder", "same point"}},
+    {R"({"video": {"width": 641}})", {"video.width: 641 is odd"}},
+    {R"({"video": {"height": 361}})", {"video.height: 361 is odd"}},
+    {R"({"video": {"duration": 0.001}})", {"video.duration", "frames"}},
+    {R"({"solver": {"min_iterations": 70}})", {"solver.min_iterations: 70 is above", "60"}},
+    {R"({"solver": {"min_time_step": 0.5}})", {"solver.min_time_step", "max_time_step (0.005 s)"}},
+    {R"({"forces": {"body": [{"time": 1, "acceleration": [0,0,0]},
+                             {"time": 1, "acceleration": [0,0,0]}]}})",
+     {"bad.json:2:31: forces.body[1].time: 1 s is not after"}},
+    {R"({"camera": {"position": [0,0,1], "target": [0,0,1]}})", {"camera", "same point"}},
+    {R"({"camera": {"position": [0,5,0], "target": [0,0,0]}})",
+     {"camera", "up [0, 1, 0] is along"}},
+    {R"({"camera": {"position": [0,5,0]}})", {"camera", "\"target\" is missing"}},
+    {R"({"camera": {"keyframes": [], "position": [0,0,1]}})",
+     {"either keyframes or a still camera"}},
+    {R"({"camera": {"keyframe": []}})", {"did you mean \"keyframes\""}},
+    {R"({"light": {"direction": [0,0,0]}})", {"light.direction", "no length"}},
+    {R"({"look": {"color_min": 5, "color_max": 1}})", {"look.color_min", "above color_max"}},
+};
+
+const std::vector<Case> not_json{
+    {"", {"bad.json:1:1"}},
+    {"{\"fluid\": {\"spacing\": 0.1,}}", {"bad.json:1:27: not valid JSON: unexpected"}},
+    {"{\n  \"fluid\": {}\n  \"domain\": {}\n}", {"bad.json:3:10: not valid JSON"}},
+    {"{\"fluid\": {}, \"fluid\": {}}", {"bad.json:1:15: fluid is given twice", "bad.json:1:2"}},
+    {"{\"fluid\": {\"spacing\": 1e999}}", {"bad.json", "too large"}},
+    {"{} {}", {"bad.json:1:4"}},
+};
+
+void check_all(const std::vector<Case>& cases) {
+  for (const Case& one : cases) {
+    const std::string message = complaint(one.text);
+    INFO(one.text);
+    INFO(message);
+    CHECK(message != "");
+    for (const std::string& fragment : one.fragments) {
+      INFO(fragment);
+      CHECK(message.find(fragment) != std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a wrong key, type or value is named with its place and what is accepted") {
+  check_all(wrong_values);
+}
+
+TEST_CASE("values that do not fit together are refused with their place") {
+  check_all(wrong_together);
+}
+
+TEST_CASE("text that is not JSON is refused with line and column") {
+  check_all(not_json);
+}
+
+TEST_CASE("every beginning of a scene file is refused or read, never a crash") {
+  const std::string whole = R"({"fluid": {"spacing": 0.05, "volumes": [ /* c */
+    {"box": {"min": [0, 0, 0], "max": [1, 1, 0.8]}, "velocity": [0, -1e0, 0]}]}, "name": "a\"b\u00e9"})";
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    INFO(whole.substr(0, length));
+    CHECK(complaint(whole.substr(0, length)) != "");
+  }
+  CHECK(complaint(whole) == "");
+}
+
+TEST_CASE("an error that --set brings is blamed on it") {
+  const auto begins = [](const std::string& message, const std::string& beginning) {
+    INFO(message);
+    CHECK(message.substr(0, beginning.size()) == beginning);
+  };
+  begins(complaint("{}", {"fluid.spacng=1"}), "--set fluid.spacng=1: fluid.spacng: unknown key");
+  begins(complaint("{}", {"fluid.spacing=abc"}),
+         "--set fluid.spacing=abc: fluid.spacing: expected");
+  begins(complaint("{}", {"fluid.spacing"}), "--set fluid.spacing: expected KEY=VALUE");
+  begins(complaint("{}", {"=1"}), "--set =1: expected KEY=VALUE");
+  begins(complaint("{}", {"fluid..spacing=1"}), "--set fluid..spacing=1: a name is missing");
+  begins(complaint("{}", {"fluid.volumes[4].velocity=1"}),
+         "--set fluid.volumes[4].velocity=1: fluid.volumes has 1 entries");
+  begins(complaint("{}", {"fluid.volumes.first=1"}),
+         "--set fluid.volumes.first=1: fluid.volumes is a list");
+  begins(complaint(R"({"name": "a"})", {"name.x=1"}), "--set name.x=1: name is a single value");
+  begins(complaint("{}", {"fluid.volumes[0].box.max=[9,1,1]"}),
+         "--set fluid.volumes[0].box.max=[9,1,1]: fluid.volumes[0]: the particle at");
+  begins(complaint(R"({"fluid": {"spacing": 0}})", {"domain.max=[4,4,4]"}), "bad.json:1:12: ");
+}
+
+TEST_CASE("edit distance counts inserted, lost, replaced and swapped letters") {
+  CHECK(edit_distance("", "") == 0);
+  CHECK(edit_distance("abc", "abc") == 0);
+  CHECK(edit_distance("abc", "") == 3);
+  CHECK(edit_distance("spacng", "spacing") == 1);
+  CHECK(edit_distance("spaicng", "spacing") == 1);
+  CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("sitting", "kitten") == 3);
+}

@@ -1,0 +1,192 @@
+// Scene files: what ships, what the defaults are, what the hash depends on.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "app/estimate.hpp"
+#include "app/scene.hpp"
+#include "sim/simulation.hpp"
+
+using namespace spindrift;
+using namespace spindrift::app;
+
+namespace {
+
+const std::filesystem::path scenes = std::filesystem::path(SOURCE_DIR) / "scenes";
+
+std::vector<std::filesystem::path> shipped_scenes() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
+    if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json") {
+      files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+Scene parse(const std::string& text, const Overrides& overrides = {}) {
+  return parse_scene(text, "test.json", overrides);
+}
+
+std::string hash_with(const Overrides& overrides) {
+  return simulation_hash(parse("{}", overrides));
+}
+
+}  // namespace
+
+TEST_CASE("an empty scene has every default and the file's name") {
+  const Scene scene = parse("{} // nothing but a comment");
+  Scene defaults;
+  defaults.name = "test";
+  CHECK(to_json(scene) == to_json(defaults));
+  CHECK(scene.video.frame_count() == 120);
+}
+
+TEST_CASE("every shipped scene loads, refers to the schema and is short") {
+  CHECK(shipped_scenes().size() >= 5);
+  for (const auto& file : shipped_scenes()) {
+    INFO(file);
+    const Scene scene = read_scene(file);
+    CHECK(scene.name == file.stem());
+    CHECK(sim::fill_volumes(scene.simulation).positions.size() > 1000);
+    std::ifstream stream(file);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    CHECK(text.find("\"$schema\": \"scene.schema.json\"") != std::string::npos);
+    CHECK(std::count(text.begin(), text.end(), '\n') <= 20);
+  }
+}
+
+TEST_CASE("the demo has about 30 thousand particles and 120 pictures of 1280x720") {
+  const Scene scene = read_scene(scenes / "dam_break.json");
+  const auto particles = sim::fill_volumes(scene.simulation).positions.size();
+  CHECK(particles > 28000);
+  CHECK(particles < 32000);
+  CHECK(scene.video.frame_count() == 120);
+  CHECK(scene.video.width == 1280);
+  CHECK(scene.video.height == 720);
+}
+
+TEST_CASE("drop_44k has 44,294 particles on the source report's lattice") {
+  const Scene scene = read_scene(scenes / "drop_44k.json");
+  const auto particles = sim::fill_volumes(scene.simulation);
+  CHECK(particles.positions.size() == 44294);
+  glm::vec3 low{1e9f}, high{-1e9f};
+  for (const glm::vec3& p : particles.positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const glm::vec3 expected_low{-2.45f, 0.f, 0.f}, expected_high{2.5f, 5.f, 5.f};
+  CHECK(glm::distance(low, expected_low) < 1e-4f);
+  CHECK(glm::distance(high, expected_high) < 1e-4f);
+  CHECK(scene.video.frame_count() == 90);
+}
+
+TEST_CASE("a resolved scene reads back as itself") {
+  for (const auto& file : shipped_scenes()) {
+    INFO(file);
+    const auto resolved = to_json(read_scene(file));
+    CHECK(to_json(parse(to_text(resolved))) == resolved);
+  }
+  const auto rich = to_json(parse(R"({
+    "name": "rich",
+    "fluid": {"volumes": [
+      {"cylinder": {"from": [1, 0.5, 0.4], "to": [1, 1, 0.4], "radius": 0.2}, "velocity": [1, 2, 3]},
+      {"sphere": {"center": [2, 1, 0.4], "radius": 0.3}}]},
+    "obstacles": [{"sphere": {"center": [3, 0, 0.4], "radius": 0.1}}],
+    "forces": {"body": [{"time": 0, "acceleration": [1, 0, 0]},
+                        {"time": 2.5, "acceleration": [0.1, 0, 0]}]},
+    "solver": {"type": "sph", "pressure_kernel": "spiky"},
+    "camera": {"position": [0, 1, 5], "target": [1, 0.5, 0]},
+    "look": {"style": "particles", "color_by": "pressure", "floor": false}})"));
+  CHECK(to_json(parse(to_text(rich))) == rich);
+  CHECK(rich["camera"]["keyframes"].size() == 1);
+  CHECK(rich["solver"]["type"] == "sph");
+}
+
+TEST_CASE("a number is dumped as it was written") {
+  const std::string text =
+      to_text(to_json(parse(R"({"fluid": {"spacing": 0.1, "viscosity": 3e-4}})")));
+  CHECK(text.find("\"spacing\": 0.1,") != std::string::npos);
+  CHECK(text.find("\"viscosity\": 0.0003,") != std::string::npos);
+}
+
+TEST_CASE("--set changes any value, in files' words") {
+  CHECK(parse("{}", {"fluid.viscosity=0.05"}).simulation.fluid.viscosity == 0.05f);
+  CHECK(parse("{}", {"look.style=particles"}).look.style == gl::Style::particles);
+  CHECK(parse("{}", {"look.style=\"particles\""}).look.style == gl::Style::particles);
+  CHECK(parse("{}", {"domain.max=[4, 2, 1]"}).simulation.domain.max.x == 4.f);
+  CHECK(parse("{}", {"domain.max=[4,2,1]", "domain.max[1]=3"}).simulation.domain.max.y == 3.f);
+  CHECK(parse("{}", {"name=other"}).name == "other");
+  CHECK(parse("{}", {"look.floor=false"}).look.floor == false);
+  for (const std::string key : {"fluid.volumes[0].velocity", "fluid.volumes.0.velocity"}) {
+    const Scene scene = parse("{}", {key + "=[1, 0, 0]"});
+    REQUIRE(scene.simulation.fluid.volumes.size() == 1);
+    CHECK(scene.simulation.fluid.volumes[0].velocity.x == 1.f);
+    CHECK(std::get<sim::Box>(scene.simulation.fluid.volumes[0].shape).max.z == 0.8f);
+  }
+  const Scene two =
+      parse("{}", {R"(fluid.volumes[1]={"sphere":{"center":[2,1,0.4],"radius":0.3}})"});
+  CHECK(two.simulation.fluid.volumes.size() == 2);
+}
+
+TEST_CASE("the hash knows what moves the liquid and nothing else") {
+  const std::string hash = hash_with({});
+  CHECK(hash.size() == 32);
+  CHECK(hash == hash_with({}));
+  for (const char* picture :
+       {"name=other", "camera.position=[1,2,3]", "look.style=particles", "light.intensity=2",
+        "video.width=640", "video.duration=1", "video.quality=30", "surface.cell_size=1"}) {
+    INFO(picture);
+    const bool camera = std::string(picture).starts_with("camera");
+    CHECK(hash == (camera ? hash_with({picture, "camera.target=[0,0,0]"}) : hash_with({picture})));
+  }
+  for (const char* motion :
+       {"fluid.spacing=0.03", "fluid.viscosity=0.02", "domain.max=[3.3,2,0.8]", "solver.cfl=0.3",
+        "forces.gravity=[0,-9.8,0]", "fluid.volumes[0].velocity=[0,0,0.1]", "solver.type=sph",
+        "video.frames_per_second=25",
+        R"(obstacles=[{"sphere":{"center":[2,0,0.4],"radius":0.1}}])"}) {
+    INFO(motion);
+    CHECK(hash != hash_with({motion}));
+  }
+}
+
+TEST_CASE("the hash of the same settings is the same however they are written") {
+  CHECK(simulation_hash(parse(R"({"fluid": {"spacing": 0.0250, "viscosity": 1e-2}})")) ==
+        simulation_hash(parse("{}")));
+}
+
+TEST_CASE("scenes/scene.schema.json is what the tables give") {
+  std::ifstream stream(scenes / "scene.schema.json");
+  const std::string shipped{std::istreambuf_iterator<char>(stream), {}};
+  INFO("to make it anew: ./spindrift schema > scenes/scene.schema.json");
+  CHECK(shipped == to_text(scene_schema()));
+}
+
+TEST_CASE("the schema refuses unknown keys everywhere and tells ranges, names and defaults") {
+  const auto schema = scene_schema();
+  CHECK(schema["additionalProperties"] == false);
+  const auto& fluid = schema["properties"]["fluid"];
+  CHECK(fluid["additionalProperties"] == false);
+  CHECK(fluid["properties"]["spacing"]["maximum"] == 100.);
+  CHECK(fluid["properties"]["spacing"]["default"] == 0.025);
+  const auto& volume = fluid["properties"]["volumes"]["items"];
+  CHECK(volume["additionalProperties"] == false);
+  CHECK(volume["properties"].contains("sphere"));
+  CHECK(volume["oneOf"].size() == 3);
+  CHECK(schema["properties"]["look"]["properties"]["style"]["enum"].size() == 2);
+}
+
+TEST_CASE("the estimate counts particles exactly and grows with the scene") {
+  const Scene scene = read_scene(scenes / "drop_44k.json");
+  const Estimate cost = estimate(scene, 1);
+  CHECK(cost.particles == 44294);
+  CHECK(cost.boundary_particles > 10000);
+  CHECK(cost.bytes > 1e7);
+  CHECK(cost.seconds > estimate(scene, 2).seconds);
+  Scene longer = scene;
+  longer.video.duration *= 3.;
+  CHECK(estimate(longer, 1).seconds > 2. * cost.seconds);
+}
