@@ -65,6 +65,8 @@ struct Particles {
   VectorField velocity;  ///< m/s, over the last step (leapfrog: at the middle of that step)
   ScalarField pressure;  ///< Pa, of the last step
   std::vector<std::uint32_t> ids;  ///< number in the initial lattice
+  bool overlapping = false;        ///< the particles are too dense yet, and `excess` is in use
+  ScalarField excess;              ///< compression that the next step may leave as it is
 
   // Within a step.
   VectorField drifted_position;    ///< where particles are about to be, but for pressure, m
@@ -85,7 +87,7 @@ struct Particles {
   }
 
   std::size_t memory_bytes() const {
-    return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() +
+    return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() + excess.memory_bytes() +
            ids.capacity() * sizeof(std::uint32_t);
   }
 };

@@ -13,8 +13,10 @@ constexpr float warm_start = 0.9f;
 
 /// Part of the full correction δ (ρ/ρ₀ − 1) that an iteration applies. The correction's operator
 /// has, on a lattice, eigenvalues up to about 2.4 times its diagonal, so that the full one would
-/// not converge; accelerated gradient steps are stable up to the inverse of that.
-constexpr float relaxation = 0.45f;
+/// not converge; accelerated gradient steps are stable up to the inverse of that. The rest is a
+/// margin for disorder and walls: with more, iterations to a tight tolerance diverge in places, and
+/// their steps are repeated.
+constexpr float relaxation = 0.36f;
 
 /// A step in which pressure moves any particle further than this many spacings has left the
 /// neighbourhood it was computed in, and is repeated smaller.
@@ -29,6 +31,11 @@ struct Residual {
     sum += other.sum;
     compression = std::max(compression, other.compression);
   }
+};
+
+struct Sum {
+  double value = 0;
+  void join(const Sum& other) { value += other.value; }
 };
 
 struct Largest {
@@ -62,10 +69,11 @@ class Pcisph : public PressureSolver {
                                                    constants.support_radius)) {}
 
   StepResult solve(const StepContext& s) override {
-    const float delta = relaxation * stiffness(s);
+    // The eigenvalues grow with the square of the density.
+    const float delta = relaxation * stiffness(s) / (s.densest * s.densest);
     const float largest_move = largest_correction * s.constants.spacing;
     Momentum momentum;
-    start_pressure(s);
+    start_pressure(s, delta);
     for (int iteration = 0;; ++iteration) {
       const float move = accelerate_and_predict(s);
       if (!(move <= largest_move))
@@ -76,7 +84,8 @@ class Pcisph : public PressureSolver {
       if (iteration == settings_.max_iterations)
         return {false, iteration};
       const float weight = momentum.next();
-      correct_pressure(s, delta, weight);
+      if (correct_pressure(s, delta, weight) < 0)
+        momentum = Momentum();
       correct_boundary_pressure(s, delta, weight);
     }
   }
@@ -96,17 +105,25 @@ class Pcisph : public PressureSolver {
            residual.sum <= double{settings_.mean_compression} * count;
   }
 
-  void start_pressure(const StepContext& s) {
+  /// A part of the last step's pressure. What is too small to matter becomes zero, so that pressure
+  /// that dies away does not go through the denormal numbers, on which processors are a hundred
+  /// times slower.
+  void start_pressure(const StepContext& s, float delta) {
     const float* last = s.particles.pressure.data();
     float* p = s.particles.step_pressure.data();
     float* before = before_.resized(s.particles.count);
+    const float least = 1e-6f * delta;
+    const auto part_of = [=](float pressure) {
+      const float part = warm_start * pressure;
+      return part < least ? 0.f : part;
+    };
     s.executor.for_each("start pressure", s.particles.count,
-                        [=](std::uint32_t i) { p[i] = before[i] = warm_start * last[i]; });
+                        [=](std::uint32_t i) { p[i] = before[i] = part_of(last[i]); });
     p[s.particles.count] = 0;
     float* solid_before = boundary_before_.resized(s.boundary.count);
     for (std::uint32_t k = 0; k < s.boundary.wet_count; ++k) {
       const std::uint32_t b = s.boundary.wet[k];
-      s.boundary.step_pressure[b] = solid_before[b] = warm_start * s.boundary.pressure[b];
+      s.boundary.step_pressure[b] = solid_before[b] = part_of(s.boundary.pressure[b]);
     }
   }
 
@@ -137,10 +154,11 @@ class Pcisph : public PressureSolver {
     const Vec3Arrays corrected = p.corrected_position.view();
     const float* pressure = p.step_pressure.data();
     float* ratio = p.density_ratio.data();
+    const float* excess = s.excess;
     return s.executor.reduce<Residual>("predict density", p.count, [&](std::uint32_t i) {
       ratio[i] =
           density_ratio(i, s.constants, density_kernel_, corrected, s.neighbours, s.boundary);
-      const float compression = ratio[i] - 1.f;
+      const float compression = ratio[i] - 1.f - (excess ? excess[i] : 0.f);
       const float releasable = std::min(-compression, pressure[i] / delta);
       return Residual{std::max(compression, releasable), std::max(0.f, compression)};
     });
@@ -156,12 +174,20 @@ class Pcisph : public PressureSolver {
     return std::max(0.f, ahead);
   }
 
-  void correct_pressure(const StepContext& s, float delta, float weight) {
-    const float* ratio = s.particles.density_ratio.data();
+  /// Returns Σ (ρ/ρ₀ − 1) Δp: negative when the momentum has carried the pressure beyond its goal,
+  /// and is to start anew (O'Donoghue & Candès 2015, gradient scheme).
+  double correct_pressure(const StepContext& s, float delta, float weight) {
+    const float *ratio = s.particles.density_ratio.data(), *excess = s.excess;
     float *p = s.particles.step_pressure.data(), *before = before_.data();
-    s.executor.for_each("correct pressure", s.particles.count, [=](std::uint32_t i) {
-      p[i] = corrected_pressure(p[i], ratio[i] - 1.f, delta, weight, before[i]);
-    });
+    return s.executor
+        .reduce<Sum>("correct pressure", s.particles.count,
+                     [=](std::uint32_t i) {
+                       const float compression = ratio[i] - 1.f - (excess ? excess[i] : 0.f),
+                                   last = before[i];
+                       p[i] = corrected_pressure(p[i], compression, delta, weight, before[i]);
+                       return Sum{double{compression} * (before[i] - last)};
+                     })
+        .value;
   }
 
   void correct_boundary_pressure(const StepContext& s, float delta, float weight) {

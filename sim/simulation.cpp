@@ -93,6 +93,7 @@ struct Simulation::Impl {
   double time = 0;
   float max_speed = 0;
   std::int64_t drift_contacts = 0;
+  float densest = 1;  ///< largest density ratio while particles overlap
 
   Impl(const Settings& s, const InitialParticles& initial)
       : settings(s),
@@ -142,6 +143,8 @@ struct Simulation::Impl {
                                 .boundary = neighbourhood.boundary(),
                                 .contact = contact(),
                                 .time_step = static_cast<float>(dt),
+                                .excess = particles.overlapping ? particles.excess.data() : nullptr,
+                                .densest = particles.overlapping ? densest : 1,
                                 .last_time_step = static_cast<float>(time_step.last())};
       if (constants.viscosity > 0)
         apply_viscosity(context);
@@ -220,7 +223,24 @@ struct Simulation::Impl {
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
+    if (particles.overlapping)
+      note_overlap();
     return motion.contacts + drift_contacts;
+  }
+
+  /// Particles that start too dense, as where volumes overlap, are not forced apart in one step,
+  /// which no step could be small enough for: a step has to take away a tenth of what is beyond the
+  /// tolerance.
+  void note_overlap() {
+    const float tolerance = settings.solver.max_compression;
+    const float* ratio = particles.density_ratio.data();
+    float* excess = particles.excess.resized(particles.count);
+    const Totals t = executor.reduce<Totals>("overlap", particles.count, [=](std::uint32_t i) {
+      excess[i] = 0.9f * std::max(0.f, ratio[i] - 1 - tolerance);
+      return Totals{.max_compression = ratio[i] - 1};
+    });
+    densest = std::max(1.f, 1 + t.max_compression);
+    particles.overlapping = t.max_compression > 1.01f * tolerance;
   }
 
   /// Recomputes the density from the positions with the full neighbourhood, and the energies.
@@ -253,9 +273,15 @@ struct Simulation::Impl {
 
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
     FrameStatistics statistics;
+    if (time_step.last() == 0 && time == 0) {
+      measure(statistics);
+      if (settings.solver.type == SolverType::pcisph)
+        note_overlap();
+    }
     const double tiny = 1e-9 * std::max(1.0, std::abs(end));
     while (end - time > tiny) {
-      if (stop != nullptr && *stop) return statistics;
+      if (stop != nullptr && *stop)
+        return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
       const double wanted = time_step.next(end - time, max_speed, std::sqrt(dot(a, a)));
       const double dt = step(wanted, statistics);

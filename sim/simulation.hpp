@@ -61,7 +61,8 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Advances to `time` exactly. @throws std::runtime_error when no admissible time step exists.
-  /// When `stop` becomes true it returns early, between two frames' times; the state is then of no use.
+  /// When `stop` becomes true it returns early, between two frames' times; the state is then of no
+  /// use.
   FrameStatistics advance_to(double time, const std::atomic<bool>* stop = nullptr);
 
   Frame frame() const;

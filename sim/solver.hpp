@@ -17,7 +17,11 @@ struct StepContext {
   NeighbourView neighbours;  ///< around the drifted positions
   BoundaryView boundary;
   ContactView contact;
-  float time_step;       ///< Δt, s
+  float time_step;  ///< Δt, s
+  /// Compression beyond the tolerance that a particle may keep in this step; null where there is
+  /// none, as always but after a start with overlapping particles.
+  const float* excess;
+  float densest;  ///< largest density ratio of the particles there; 1 where there is no excess
   float last_time_step;  ///< that of the step before, s; 0 at the start
 };
 

@@ -13,10 +13,12 @@
 
 namespace spindrift::output {
 
-/// Writes an 8-bit RGB PNG tagged sRGB. @throws std::runtime_error naming the file and the reason.
+/// Writes an 8-bit RGB PNG tagged sRGB. @throws std::runtime_error naming the file and the reason,
+/// std::invalid_argument for an empty image or one whose pixels do not fit its size.
 void write_png(const std::filesystem::path& file, const Image& image);
 
-/// Reads an 8-bit RGB PNG. @throws std::runtime_error naming the file and the reason.
+/// Reads a PNG as 8-bit RGB (grey is spread to three channels, alpha dropped). @throws
+/// std::runtime_error naming the file and the reason.
 Image read_png(const std::filesystem::path& file);
 
 struct VideoSettings {
@@ -31,13 +33,18 @@ struct VideoSettings {
 /// least one frame, so that an interrupted run leaves a video of what was finished).
 class VideoWriter {
  public:
-  /// @throws std::runtime_error when the encoder is missing or the file can't be written.
+  /// @throws std::invalid_argument for settings out of range, std::runtime_error when the encoder
+  /// is missing or the file can't be written.
   VideoWriter(const std::filesystem::path& file, const VideoSettings& settings);
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
+  /// @throws std::invalid_argument for an image of another size (the video goes on without it),
+  /// std::runtime_error when the file can't be written (the video is lost, and no file is left).
   void add(const Image& image);
+
+  /// Needs at least one frame. A second call does nothing. @throws std::runtime_error as add().
   void finish();
 
  private:
@@ -48,7 +55,9 @@ class VideoWriter {
 /// Name and version of the H.264 encoder and of the libav libraries, for reports.
 std::string encoder_info();
 
-/// Binary little-endian PLY of a triangle mesh with vertex normals.
+/// Binary little-endian PLY of a triangle mesh: x y z [nx ny nz], faces. Normals are one per
+/// vertex, or none. @throws std::invalid_argument for another number, std::runtime_error naming the
+/// file.
 void write_ply(const std::filesystem::path& file, const Mesh& mesh);
 
 /// Attributes of particles for write_ply; all spans are as long as `positions`, or empty.
@@ -60,6 +69,7 @@ struct ParticleAttributes {
 };
 
 /// Binary little-endian PLY of particles: x y z [vx vy vz] [density] [pressure].
+/// @throws std::invalid_argument for spans of unequal length, std::runtime_error naming the file.
 void write_ply(const std::filesystem::path& file, const ParticleAttributes& particles);
 
 }  // namespace spindrift::output

@@ -4,13 +4,16 @@
 #include <libdeflate.h>
 
 #include <array>
+#include <bit>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
+#include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,8 +23,13 @@
 
 namespace {
 
-// Measured on a water scene at 1280x720, one core: README numbers go here.
-const int kCompressionLevel = atoi(getenv("L")?getenv("L"):"1");
+// Measured on a water-like frame of 1280x720 pixels, one core of a 2021 Xeon, whole write_png():
+//   filter "up":      level 1: 10 ms, 430 KiB   level 3: 15 ms, 407 KiB   level 6: 32 ms, 388 KiB
+//   filter "sub":     level 1: 11 ms, 439 KiB
+//   filter "Paeth":   level 1: 13 ms, 435 KiB
+//   best of all five: level 1: 17 ms, 435 KiB
+constexpr int kFilterUp = 2;
+constexpr int kCompressionLevel = 1;
 
 // stb takes the result over and frees it with free().
 unsigned char* deflate_for_stb(const unsigned char* data, int size, int* compressed_size,
@@ -80,13 +88,13 @@ std::array<std::byte, 13> srgb_chunk() {
 
 Bytes encode(const Image& image) {
   // Set once, before the first use; stb takes it from a global of this file.
-  [[maybe_unused]] static const int filter = stbi_write_force_png_filter = atoi(getenv("F")?getenv("F"):"2");
+  [[maybe_unused]] static const int filter = stbi_write_force_png_filter = kFilterUp;
   Bytes png;
-  const auto append = [](void* context, void* data, int size) {
+  const auto take = [](void* context, void* data, int size) {
     const auto* bytes = static_cast<const std::byte*>(data);
     static_cast<Bytes*>(context)->assign(bytes, bytes + size);
   };
-  if (stbi_write_png_to_func(append, &png, image.width, image.height, 3, image.pixels.data(), 0) ==
+  if (stbi_write_png_to_func(take, &png, image.width, image.height, 3, image.pixels.data(), 0) ==
           0 ||
       png.size() < kBytesBeforeColourTag) {
     throw std::bad_alloc();
@@ -96,20 +104,19 @@ Bytes encode(const Image& image) {
 
 Bytes read_file(const std::filesystem::path& file) {
   errno = 0;
+  Bytes bytes;
   std::ifstream input(file, std::ios::binary);
-  const auto fail = [&] {
+  std::array<char, 65536> piece{};
+  while (input) {
+    input.read(piece.data(), piece.size());
+    const auto read = std::as_bytes(std::span(piece).first(std::size_t(input.gcount())));
+    bytes.insert(bytes.end(), read.begin(), read.end());
+  }
+  if (!input.eof()) {
     throw std::runtime_error("cannot read " + file.string() + ": " +
                              (errno != 0 ? std::strerror(errno) : "read error"));
-  };
-  if (!input) {
-    fail();
   }
-  const std::string content((std::istreambuf_iterator<char>(input)), {});
-  if (input.bad() || errno == EISDIR) {
-    fail();
-  }
-  const auto bytes = std::as_bytes(std::span(content));
-  return Bytes(bytes.begin(), bytes.end());
+  return bytes;
 }
 
 }  // namespace

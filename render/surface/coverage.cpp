@@ -1,6 +1,8 @@
 #include "render/surface/coverage.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace spindrift::surface {
 namespace {
@@ -8,27 +10,34 @@ namespace {
 // Coverage above which a particle lies deeper than the outermost layer.
 constexpr float kEnclosed = 0.85f;
 
-// Volumes are raised until a particle's own field value is this many times the iso-value. A drop of
-// volume d^3 needs 1.21 and a sheet of thickness d needs 1.25, at a support of 2.5 d.
-constexpr float kCoreOverIso = 1.24f;
+// Distance from a particle alone at which the field passes the iso-value, in spacings: the radius
+// of a sphere of volume 1.
+constexpr float kDropRadius = 0.62f;
+
+// Kernel radius of a particle alone, in spacings, and the coverages between which it grows to the
+// full one: from a drop of one particle (0.1) past a pair (0.16) and a thread (0.23) to the rim of
+// a sheet (0.36).
+constexpr float kDropKernelRadius = 1.5f;
+constexpr float kLone = 0.12f;
+constexpr float kJoined = 0.3f;
 
 constexpr std::size_t kLanes = 8;
 
-// Sum of (1 - |p - q|^2 / h^2)^3 over the batch, whose size is a multiple of kLanes. The lanes are
-// summed in a fixed order.
+// Sum of kernel_shape over the batch, whose size is a multiple of kLanes. The lanes are summed in a
+// fixed order.
 float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inverse_square) {
   const float* const x = batch.x.data();
   const float* const y = batch.y.data();
   const float* const z = batch.z.data();
   std::array<float, kLanes> sum{};
   for (std::size_t k = 0; k < batch.size(); k += kLanes) {
+#pragma omp simd
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const float dx = x[k + lane] - p.x;
       const float dy = y[k + lane] - p.y;
       const float dz = z[k + lane] - p.z;
       const float t = 1.0f - (dx * dx + dy * dy + dz * dz) * inverse_square;
-      const float inside = t > 0.0f ? t : 0.0f;
-      sum[lane] += inside * inside * inside;
+      sum[lane] += kernel_shape(t);
     }
   }
   return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
@@ -43,33 +52,52 @@ void pad_to_lanes(ParticleBatch& batch) {
   }
 }
 
+// Kernel radius for a particle of this coverage.
+float kernel_radius(float coverage, float support) {
+  const float t = std::clamp((coverage - kLone) / (kJoined - kLone), 0.0f, 1.0f);
+  return glm::mix(kDropKernelRadius, support, t);
+}
+
+// The value that the field must have at the centre of a drop to pass the iso-value at its radius.
+float core_value(float iso_value, float radius) {
+  const float t = 1.0f - kDropRadius * kDropRadius / (radius * radius);
+  return iso_value / (t * t * t);
+}
+
+// The kernel of a particle at p, and whether it is near a surface.
+std::pair<ParticleKernel, bool> choose_kernel(const ParticleBatch& around, const glm::vec3& p,
+                                              float support, float iso_value) {
+  const float scale = kernel_scale(support);
+  float sum = sum_of_kernels(around, p, 1.0f / (support * support));
+  const float coverage = scale * sum;
+  const float radius = kernel_radius(coverage, support);
+  if (radius < support)
+    sum = sum_of_kernels(around, p, 1.0f / (radius * radius));
+  return {{std::max(scale, core_value(iso_value, radius) / sum), radius}, coverage < kEnclosed};
+}
+
 }  // namespace
 
 Coverage measure_coverage(const ParticleBins& bins, float iso_value) {
   const float support = float(bins.bin_size());
-  const float inverse_square = 1.0f / (support * support);
-  const float peak = kernel_peak(support);
-  const float core = kCoreOverIso * iso_value;
-
   Coverage result;
-  result.volume.resize(bins.particle_count());
+  result.kernels.resize(bins.particle_count());
   result.enclosed.resize(bins.bin_count());
 #pragma omp parallel
   {
-    ParticleBatch batch;
+    ParticleBatch around;
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t bin = 0; bin < bins.bin_count(); ++bin) {
       const glm::ivec3 cell = bins.cell(bin);
       const glm::dvec3 origin = glm::dvec3(cell) * bins.bin_size();
-      batch.clear();
-      bins.for_each_bin(cell - 1, cell + 1,
-                        [&](std::size_t b) { bins.append(b, origin, {}, batch); });
-      pad_to_lanes(batch);
+      around.clear();
+      bins.for_each_bin(cell - 1, cell + 1, [&](std::size_t b) { bins.append(b, origin, around); });
+      pad_to_lanes(around);
       bool enclosed = true;
       for (std::size_t k = bins.begin(bin); k < bins.end(bin); ++k) {
-        const float coverage = peak * sum_of_kernels(batch, bins.local(k), inverse_square);
-        result.volume[k] = std::max(1.0f, core / coverage);
-        enclosed = enclosed && coverage >= kEnclosed;
+        const auto [kernel, at_surface] = choose_kernel(around, bins.local(k), support, iso_value);
+        result.kernels[k] = kernel;
+        enclosed = enclosed && !at_surface;
       }
       result.enclosed[bin] = enclosed;
     }

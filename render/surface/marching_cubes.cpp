@@ -9,6 +9,9 @@
 namespace spindrift::surface {
 namespace {
 
+// How far below the surface `IsoSurface::bulk` is sampled, in spacings.
+constexpr double kBulkDepth = 2.0;
+
 // A block's nodes with the neighbours that its surface needs: nodes -1 ... 9 along each axis, for
 // the gradients at nodes 0 ... 8, which are the corners of the block's cells.
 class Apron {
@@ -150,8 +153,8 @@ class BlockMarcher {
     const glm::dvec3 first = glm::dvec3(field_.cell(block_) * kBlockEdge);
     out.vertices.push_back(glm::vec3((first + glm::dvec3(point)) * cell_size));
     out.normals.push_back(outward);
-    const float cells_per_spacing = float(1.0 / field_.cell_size());
-    out.bulk.push_back(field_.sample(block_, point - outward * cells_per_spacing));
+    const float depth = float(kBulkDepth / field_.cell_size());
+    out.bulk.push_back(field_.sample(block_, point - outward * depth));
   }
 
   static void add_triangles(const glm::ivec3& node, int corners, BlockSurface& out) {

@@ -10,7 +10,7 @@ namespace spindrift::surface {
 
 struct IsoSurface {
   Mesh mesh;                ///< lengths in metres; normals from the field's gradient
-  std::vector<float> bulk;  ///< per vertex: the field one spacing below it, 1 over thick liquid
+  std::vector<float> bulk;  ///< per vertex: the field two spacings below, 1 over thick liquid
 };
 
 /// @param spacing m

@@ -23,7 +23,7 @@ void ParticleBatch::clear() {
   x.clear();
   y.clear();
   z.clear();
-  weight.clear();
+  particle.clear();
 }
 
 ParticleBins::ParticleBins(std::span<const glm::vec3> positions, float spacing, double bin_size,
@@ -85,8 +85,7 @@ ParticleBins::ParticleBins(std::span<const glm::vec3> positions, float spacing, 
   begin_.push_back(std::uint32_t(n));
 }
 
-void ParticleBins::append(std::size_t bin, const glm::dvec3& origin, std::span<const float> weights,
-                          ParticleBatch& batch) const {
+void ParticleBins::append(std::size_t bin, const glm::dvec3& origin, ParticleBatch& batch) const {
   const glm::vec3 shift(glm::dvec3(cell(bin)) * bin_size_ - origin);
   const auto shifted = [this, bin](const std::vector<float>& from, float by,
                                    std::vector<float>& to) {
@@ -98,9 +97,8 @@ void ParticleBins::append(std::size_t bin, const glm::dvec3& origin, std::span<c
   shifted(x_, shift.x, batch.x);
   shifted(y_, shift.y, batch.y);
   shifted(z_, shift.z, batch.z);
-  if (!weights.empty())
-    batch.weight.insert(batch.weight.end(), weights.begin() + begin(bin),
-                        weights.begin() + end(bin));
+  for (std::uint32_t k = begin(bin); k < end(bin); ++k)
+    batch.particle.push_back(k);
 }
 
 }  // namespace spindrift::surface

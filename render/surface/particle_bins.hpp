@@ -13,7 +13,8 @@ namespace spindrift::surface {
 
 /// Particles of one neighbourhood, copied together with coordinates relative to one point.
 struct ParticleBatch {
-  std::vector<float> x, y, z, weight;
+  std::vector<float> x, y, z;
+  std::vector<std::uint32_t> particle;  ///< index of the sorted particle
 
   std::size_t size() const { return x.size(); }
   void clear();
@@ -44,9 +45,7 @@ class ParticleBins {
   void for_each_bin(glm::ivec3 lo, glm::ivec3 hi, Visit visit) const;
 
   /// Appends a bin's particles to a batch, with coordinates relative to `origin`.
-  /// @param weights one value per sorted particle, or empty
-  void append(std::size_t bin, const glm::dvec3& origin, std::span<const float> weights,
-              ParticleBatch& batch) const;
+  void append(std::size_t bin, const glm::dvec3& origin, ParticleBatch& batch) const;
 
  private:
   double bin_size_;

@@ -70,9 +70,9 @@ void relax(const Neighbours& neighbours, const std::vector<float>& weight, int i
 // swing for ever.
 constexpr float kStep = 0.7f;
 
-// From none where the liquid is as thin as one layer of particles to full over the bulk.
+// From none where the liquid is one or two layers of particles thick to full over the bulk.
 float smoothing_weight(float bulk) {
-  const float t = std::clamp((bulk - 0.55f) / (0.85f - 0.55f), 0.0f, 1.0f);
+  const float t = std::clamp((bulk - 0.6f) / (0.9f - 0.6f), 0.0f, 1.0f);
   return kStep * t * t * (3.0f - 2.0f * t);
 }
 

@@ -9,9 +9,12 @@ namespace {
 
 using BlockValues = std::array<float, kBlockNodes>;
 
-// Adds one particle's kernel to a block. Lengths are in kernel supports: the particle's position
-// relative to the block's first node, and the cell size.
-void splat(const glm::vec3& p, float amplitude, float cell, BlockValues& values) {
+// Adds one particle's kernel to a block; the particle's position is relative to the block's first
+// node. Lengths are in spacings.
+void splat(const glm::vec3& position, const ParticleKernel& kernel, float cell_size,
+           BlockValues& values) {
+  const glm::vec3 p = position / kernel.radius;
+  const float cell = cell_size / kernel.radius;
   std::array<float, kBlockEdge> dx2;
   for (int i = 0; i < kBlockEdge; ++i) {
     const float dx = float(i) * cell - p.x;
@@ -28,10 +31,9 @@ void splat(const glm::vec3& p, float amplitude, float cell, BlockValues& values)
       if (left <= 0.0f)
         continue;
       float* const row = &values[(k * kBlockEdge + j) * kBlockEdge];
+#pragma omp simd
       for (int i = 0; i < kBlockEdge; ++i) {
-        const float t = left - dx2[i];
-        const float inside = t > 0.0f ? t : 0.0f;
-        row[i] += amplitude * (inside * inside * inside);
+        row[i] += kernel.amplitude * kernel_shape(left - dx2[i]);
       }
     }
   }
@@ -126,10 +128,8 @@ void SparseField::fill_blocks(const ParticleBins& bins, const Coverage& coverage
     slots_[b] = sides_[b] == BlockSide::kInside ? kNoBlock : sampled++;
   values_.resize(std::size_t(sampled) * kBlockNodes);
 
-  const float per_support = float(1.0 / bins.bin_size());
-  const float cell_in_supports = float(cell_size_ / bins.bin_size());
-  const float block_in_supports = float(kBlockEdge - 1) * cell_in_supports;
-  const float peak = kernel_peak(float(bins.bin_size()));
+  const float cell_size = float(cell_size_);
+  const float block_size = float(kBlockEdge - 1) * cell_size;
 #pragma omp parallel
   {
     ParticleBatch batch;
@@ -142,12 +142,13 @@ void SparseField::fill_blocks(const ParticleBins& bins, const Coverage& coverage
       const BinRange range(cell(b), cell_size_, bins.bin_size());
       batch.clear();
       bins.for_each_bin(range.lo, range.hi,
-                        [&](std::size_t bin) { bins.append(bin, origin, coverage.volume, batch); });
+                        [&](std::size_t bin) { bins.append(bin, origin, batch); });
       values.fill(0.0f);
       for (std::size_t k = 0; k < batch.size(); ++k) {
-        const glm::vec3 p = glm::vec3(batch.x[k], batch.y[k], batch.z[k]) * per_support;
-        if (squared_distance_to_cube(p, block_in_supports) < 1.0f)
-          splat(p, peak * batch.weight[k], cell_in_supports, values);
+        const glm::vec3 p(batch.x[k], batch.y[k], batch.z[k]);
+        const ParticleKernel& kernel = coverage.kernels[batch.particle[k]];
+        if (squared_distance_to_cube(p, block_size) < kernel.radius * kernel.radius)
+          splat(p, kernel, cell_size, values);
       }
       sides_[b] = side_of(values, iso_value);
       std::copy(values.begin(), values.end(),

@@ -13,7 +13,7 @@ struct SurfaceSettings {
   float cell_size = 0.5f;      ///< edge of a marching-cubes cell, in particle spacings; 0.1 ... 2
   float kernel_radius = 2.5f;  ///< reach of a particle's kernel, in particle spacings; 1.5 ... 4
   float iso_value = 0.5f;      ///< the field is 1 deep in the liquid and 0 outside; 0.2 ... 0.8
-  int smoothing = 5;           ///< iterations that take single particles' bumps off; 0 ... 100
+  int smoothing = 10;          ///< iterations that take single particles' bumps off; 0 ... 100
 };
 
 /// Closed, manifold triangle mesh around the particles, the same for every thread count.

@@ -1,0 +1,86 @@
+// Fluid lattices, wall samples and contacts.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/boundary.hpp"
+#include "sim/contact.hpp"
+#include "sim/shapes.hpp"
+#include "sim/simulation.hpp"
+
+using namespace spindrift::sim;
+
+namespace {
+
+Settings block_in_a_box() {
+  Settings s;
+  s.fluid.spacing = 0.05f;
+  s.domain = {{0, 0, 0}, {0.5f, 0.75f, 0.5f}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.5f, 0.5f, 0.5f}}}};
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a box holds a whole lattice, its first centre half a spacing inside") {
+  const auto points = fill_shape(Box{{1, 2, 3}, {1.3f, 2.2f, 3.1f}}, 0.1f);
+  REQUIRE(points.size() == 3 * 2 * 1);
+  CHECK(points.front().x == Approx(1.05f));
+  CHECK(points.front().y == Approx(2.05f));
+  CHECK(points.back().x == Approx(1.25f));
+}
+
+TEST_CASE("a ball and a cylinder hold their volume of particles") {
+  const float d = 0.05f, cell = d * d * d;
+  const auto ball = fill_shape(Sphere{{0, 1, 0}, 0.5f}, d);
+  CHECK(static_cast<float>(ball.size()) * cell == Approx(4.18879f * 0.125f).epsilon(0.03));
+  for (const auto p : ball)
+    CHECK(glm::length(p - glm::vec3(0, 1, 0)) <= 0.5f);
+  const auto rod = fill_shape(Cylinder{{0, 0, 0}, {1, 0, 0}, 0.3f}, d);
+  CHECK(static_cast<float>(rod.size()) * cell == Approx(3.14159f * 0.09f).epsilon(0.06));
+}
+
+TEST_CASE("liquid resting against walls, edges and corners has the rest density") {
+  Simulation simulation(block_in_a_box());
+  const FrameStatistics start = simulation.advance_to(0);
+  CHECK(start.max_compression < 1e-5);
+  const Frame frame = simulation.frame();
+  for (std::size_t i = 0; i < frame.positions.size(); ++i)
+    if (frame.positions[i].y < 0.4f)
+      CHECK(frame.densities[i] == Approx(1000).epsilon(0.01));
+}
+
+TEST_CASE("wall samples lie half a spacing outside the domain, one layer deep, evenly") {
+  const DomainSettings domain{{0, 0, 0}, {1, 0.5f, 0.3f}};
+  const auto samples = sample_walls(domain, 0.1f);
+  CHECK(samples.size() == 12 * 7 * 5 - 10 * 5 * 3);
+  for (const auto p : samples) {
+    const glm::vec3 outside = glm::max(domain.min - p, p - domain.max);
+    CHECK(std::max({outside.x, outside.y, outside.z}) == Approx(0.05f).margin(1e-5));
+  }
+}
+
+TEST_CASE("obstacle samples lie half a spacing below the surface, about one per spacing squared") {
+  const Sphere ball{{0.2f, 0.3f, 0.4f}, 0.5f};
+  const auto samples = sample_surface(ball, 0.05f);
+  for (const auto p : samples)
+    CHECK(glm::length(p - ball.center) == Approx(0.475f).epsilon(1e-4));
+  CHECK(static_cast<double>(samples.size()) ==
+        Approx(4 * 3.14159 * 0.475 * 0.475 / 0.0025).epsilon(0.02));
+}
+
+TEST_CASE("contact leaves points in the open alone and takes others to the nearest surface") {
+  const std::vector<Obstacle> obstacles{{Box{{1, 0, 1}, {2, 1, 2}}},
+                                        {Sphere{{4, 1, 1}, 0.5f}},
+                                        {Cylinder{{6, 0, 1}, {6, 2, 1}, 0.5f}}};
+  const ContactView contact{{0, 0, 0}, {8, 4, 3}, obstacles.data(), obstacles.size()};
+  const auto at = [&](float x, float y, float z) {
+    const Vec3<float> p = contact.resolve({x, y, z});
+    return glm::vec3(p.x, p.y, p.z);
+  };
+  CHECK(at(0.5f, 2, 0.5f) == glm::vec3(0.5f, 2, 0.5f));
+  CHECK(at(-1, 5, 1) == glm::vec3(0, 4, 1));
+  CHECK(at(1.5f, 0.9f, 1.5f) == glm::vec3(1.5f, 1, 1.5f));
+  CHECK(at(1.1f, 0.5f, 1.5f) == glm::vec3(1, 0.5f, 1.5f));
+  CHECK(glm::length(at(4.1f, 1, 1) - glm::vec3(4.5f, 1, 1)) < 1e-6f);
+  CHECK(glm::length(at(6, 0.6f, 1.3f) - glm::vec3(6, 0.6f, 1.5f)) < 1e-6f);
+}

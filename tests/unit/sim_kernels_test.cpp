@@ -1,0 +1,126 @@
+// The kernels by their properties: integral one, gradient and Laplacian against finite differences,
+// zero outside the support, eight lanes like one.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "sim/kernels.hpp"
+#include "sim/lattice.hpp"
+
+using namespace spindrift::sim;
+
+namespace {
+
+constexpr float radius = 0.1f;
+
+/// ∫ W over the ball of the support radius, by the midpoint rule over spherical shells.
+template <class Kernel>
+double integral(const Kernel& kernel) {
+  constexpr int shells = 4000;
+  const double h = double{radius} / shells;
+  double sum = 0;
+  for (int k = 0; k < shells; ++k) {
+    const double r = (k + 0.5) * h;
+    sum += 4 * std::numbers::pi * r * r * h * double{kernel.value(static_cast<float>(r))};
+  }
+  return sum;
+}
+
+/// dW/dr by central differences.
+template <class Kernel>
+double slope(const Kernel& kernel, double r) {
+  const double h = 1e-3 * radius;
+  return (double{kernel.value(static_cast<float>(r + h))} -
+          double{kernel.value(static_cast<float>(r - h))}) /
+         (2 * h);
+}
+
+template <class Kernel>
+void check_gradient(const Kernel& kernel) {
+  const double scale = std::abs(slope(kernel, 0.25 * radius));
+  for (double q = 0.05; q < 0.99; q += 0.05) {
+    const double r = q * radius;
+    CHECK(double{kernel.gradient(static_cast<float>(r))} * r ==
+          Approx(slope(kernel, r)).margin(2e-3 * scale));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every kernel integrates to one") {
+  CHECK(integral(CubicKernel(radius)) == Approx(1).epsilon(1e-4));
+  CHECK(integral(SpikyKernel(radius)) == Approx(1).epsilon(1e-4));
+  CHECK(integral(ViscosityKernel(radius)) == Approx(1).epsilon(1e-4));
+}
+
+TEST_CASE("kernel gradients are the slopes of the kernels") {
+  check_gradient(CubicKernel(radius));
+  check_gradient(SpikyKernel(radius));
+}
+
+TEST_CASE("the viscosity kernel's Laplacian is that of its value") {
+  const ViscosityKernel kernel(radius);
+  for (double q = 0.2; q < 0.95; q += 0.05) {
+    const double r = q * radius, h = 0.02 * radius;
+    const auto w = [&](double x) { return double{kernel.value(static_cast<float>(x))}; };
+    const double second = (w(r + h) - 2 * w(r) + w(r - h)) / (h * h);
+    const double first = (w(r + h) - w(r - h)) / (2 * h);
+    CHECK(double{kernel.laplacian(static_cast<float>(r))} ==
+          Approx(second + 2 / r * first).epsilon(0.01));
+  }
+}
+
+TEST_CASE("kernels and their gradients vanish from the support radius on") {
+  for (const float r : {radius, 1.5f * radius, 1e15f}) {
+    CHECK(CubicKernel(radius).value(r) == 0.f);
+    CHECK(CubicKernel(radius).gradient(r) == 0.f);
+    CHECK(SpikyKernel(radius).value(r) == 0.f);
+    CHECK(SpikyKernel(radius).gradient(r) == 0.f);
+    CHECK(ViscosityKernel(radius).laplacian(r) == 0.f);
+  }
+}
+
+TEST_CASE("gradients are finite where two particles are at the same place") {
+  CHECK(std::isfinite(CubicKernel(radius).gradient(0.f)));
+  CHECK(SpikyKernel(radius).gradient(0.f) == 0.f);
+}
+
+TEST_CASE("eight lanes give the same bits as one number") {
+  const CubicKernel cubic(radius);
+  const SpikyKernel spiky(radius);
+  const ViscosityKernel viscosity(radius);
+  Lanes r;
+  for (int k = 0; k < lane_count; ++k)
+    r[k] = radius * 0.15f * static_cast<float>(k);
+  const Lanes w = cubic.value(r), g = cubic.gradient(r), s = spiky.gradient(r),
+              l = viscosity.laplacian(r);
+  const Lanes root = square_root(r);
+  for (int k = 0; k < lane_count; ++k) {
+    CHECK(w[k] == cubic.value(float{r[k]}));
+    CHECK(g[k] == cubic.gradient(float{r[k]}));
+    CHECK(s[k] == spiky.gradient(float{r[k]}));
+    CHECK(l[k] == viscosity.laplacian(float{r[k]}));
+    CHECK(root[k] == square_root(float{r[k]}));
+  }
+}
+
+TEST_CASE("a full lattice has the rest density, no net gradient and about 33 neighbours") {
+  constexpr float spacing = 0.5f * radius;
+  const CubicKernel kernel(radius);
+  const double volume = 1 / lattice_kernel_sum(kernel, spacing, radius);
+  CHECK(volume == Approx(std::pow(spacing, 3)).epsilon(0.01));
+  Vec3<float> gradient{0, 0, 0};
+  int neighbours = 0;
+  double product = 0;
+  for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
+    const float r = square_root(dot(p, p));
+    gradient += kernel.gradient(r) * p;
+    product += std::pow(double{kernel.gradient(r)}, 2) * double{dot(p, p)};
+    ++neighbours;
+  });
+  // In units of one neighbour's gradient.
+  const float one = std::abs(kernel.gradient(spacing)) * spacing;
+  CHECK(std::abs(gradient.x) + std::abs(gradient.y) + std::abs(gradient.z) < 1e-5f * one);
+  CHECK(neighbours == 27);  // 33 with the six at exactly the support radius, where kernels are zero
+  CHECK(lattice_gradient_product(kernel, kernel, spacing, radius) == Approx(product).epsilon(1e-6));
+}

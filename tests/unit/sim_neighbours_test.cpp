@@ -1,0 +1,128 @@
+// The neighbour search against brute force.
+#include <omp.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <vector>
+
+#include "sim/openmp/neighbours.hpp"
+#include "sim/particles.hpp"
+
+using namespace spindrift::sim;
+
+namespace {
+
+using Points = std::vector<Vec3<float>>;
+
+struct Searched {
+  Points sorted;                                  ///< in the grid's order
+  std::vector<std::vector<std::uint32_t>> lists;  ///< of each sorted point
+};
+
+/// Sorts two sets of points and lists, for each of the first, those of the second within the
+/// radius.
+Searched search(const Points& points, const Points& others, float radius, Points& sorted_others) {
+  const GridMap map = GridMap::over({-1, -1, -1}, {1, 1, 1}, radius);
+  const auto sorted = [&](const Points& set, CellGrid& grid, VectorField& field) {
+    VectorField unsorted;
+    const auto n = static_cast<std::uint32_t>(set.size());
+    unsorted.resize(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+      unsorted.view().set(i, set[i]);
+    grid.sort(map, unsorted.view(), n);
+    field.resize(n);
+    Points result;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      result.push_back(set[grid.order()[i]]);
+      field.view().set(i, result.back());
+    }
+    field.view().set(n, {sentinel_position, sentinel_position, sentinel_position});
+    return result;
+  };
+  CellGrid grid, other_grid;
+  VectorField field, other_field;
+  Searched result;
+  result.sorted = sorted(points, grid, field);
+  sorted_others = sorted(others, other_grid, other_field);
+  const auto n = static_cast<std::uint32_t>(points.size()),
+             m = static_cast<std::uint32_t>(others.size());
+  NeighbourLists lists;
+  lists.build(map, grid, field.view(), n, other_grid, other_field.view(), m, radius);
+  const NeighbourView view = lists.view();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    std::vector<std::uint32_t> list(view.first[i], view.first[i] + view.batches[i] * lane_count);
+    std::erase(list, m);
+    result.lists.push_back(list);
+  }
+  return result;
+}
+
+void check_against_brute_force(const Points& points, const Points& others, float radius) {
+  Points sorted_others;
+  const Searched found = search(points, others, radius, sorted_others);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t j = 0; j < sorted_others.size(); ++j) {
+      const auto d = found.sorted[i] - sorted_others[j];
+      if (dot(d, d) < radius * radius)
+        expected.push_back(j);
+    }
+    std::vector<std::uint32_t> list = found.lists[i];
+    std::sort(list.begin(), list.end());
+    INFO("particle " << i << " of " << points.size());
+    REQUIRE(list == expected);
+  }
+}
+
+Points random_points(int n, float spread, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> coordinate(-spread, spread);
+  Points points;
+  for (int k = 0; k < n; ++k)
+    points.push_back({coordinate(random), coordinate(random), coordinate(random)});
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("neighbours of a random cloud are those brute force finds") {
+  const Points points = random_points(3000, 0.9f, 1);
+  check_against_brute_force(points, points, 0.11f);
+}
+
+TEST_CASE("neighbours among another set, walls say, are those brute force finds") {
+  check_against_brute_force(random_points(1500, 0.8f, 2), random_points(900, 1.0f, 3), 0.2f);
+}
+
+TEST_CASE("a crowd in one cell loses no neighbour") {
+  const Points points = random_points(700, 0.01f, 4);
+  check_against_brute_force(points, points, 0.1f);
+}
+
+TEST_CASE("points in far corners and one alone have the right neighbours") {
+  Points points = random_points(50, 0.02f, 5);
+  for (auto& p : points)
+    p.x = -0.98f + 0.5f * p.x;
+  points.push_back({0.99f, 0.99f, 0.99f});
+  check_against_brute_force(points, points, 0.03f);
+  check_against_brute_force({{0, 0, 0}}, {{0, 0, 0}}, 0.05f);
+}
+
+TEST_CASE("the order and the lists are the same for one, two and four threads") {
+  const Points points = random_points(5000, 0.9f, 6);
+  const int threads_before = omp_get_max_threads();
+  std::vector<Searched> results;
+  for (const int threads : {1, 2, 4}) {
+    omp_set_num_threads(threads);
+    Points ignored;
+    results.push_back(search(points, points, 0.1f, ignored));
+  }
+  omp_set_num_threads(threads_before);
+  CHECK(results[0].lists == results[1].lists);
+  CHECK(results[0].lists == results[2].lists);
+}
+
+TEST_CASE("a domain with too many cells for a key is refused") {
+  CHECK_THROWS_AS(GridMap::over({0, 0, 0}, {1e8f, 1, 1}, 0.1f), std::invalid_argument);
+}
