@@ -221,8 +221,7 @@ class Pipeline {
 
   void simulate(ParticleSource& source, const FrameRange& range, Progress& progress) {
     for (int number = 0; number <= range.last; ++number) {
-      const StageTimer timer(record_.stage_seconds["simulate"]);
-      std::optional<KeptFrame> kept = source.next(number);
+      std::optional<KeptFrame> kept = timed_next(source, number);
       if (!kept) {
         record_.interrupted = true;
         return;
@@ -242,6 +241,11 @@ class Pipeline {
         return;
       }
     }
+  }
+
+  std::optional<KeptFrame> timed_next(ParticleSource& source, int number) {
+    const StageTimer timer(record_.stage_seconds["simulate"]);
+    return source.next(number);
   }
 
   bool hand_over(NumberedParticles particles) { return particles_.push(std::move(particles)); }

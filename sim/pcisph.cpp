@@ -77,12 +77,12 @@ class Pcisph : public PressureSolver {
     for (int iteration = 0;; ++iteration) {
       const float move = accelerate_and_predict(s);
       if (!(move <= largest_move))
-        return {false, iteration};
+        return {.accepted = false, .iterations = iteration};
       const Residual residual = predict_density(s, delta);
       if (iteration >= settings_.min_iterations && converged(residual, s.particles.count))
-        return {true, iteration};
+        return {true, iteration, s.time_step / s.kick};
       if (iteration == settings_.max_iterations)
-        return {false, iteration};
+        return {.accepted = false, .iterations = iteration};
       const float weight = momentum.next();
       if (correct_pressure(s, delta, weight) < 0)
         momentum = Momentum();
@@ -105,16 +105,18 @@ class Pcisph : public PressureSolver {
            residual.sum <= double{settings_.mean_compression} * count;
   }
 
-  /// A part of the last step's pressure. What is too small to matter becomes zero, so that pressure
-  /// that dies away does not go through the denormal numbers, on which processors are a hundred
-  /// times slower.
+  /// A part of the last step's pressure. The pressure that is kept is the mean over the time
+  /// between two velocities, the kick; in a step it acts for Δt only, and is larger by that ratio
+  /// when Δt shrinks: so a liquid at rest stays there when steps change length, and an impact's
+  /// pressure fits as well. What is too small to matter becomes zero, so that pressure that dies
+  /// away does not go through the denormal numbers, on which processors are a hundred times slower.
   void start_pressure(const StepContext& s, float delta) {
     const float* last = s.particles.pressure.data();
     float* p = s.particles.step_pressure.data();
     float* before = before_.resized(s.particles.count);
-    const float least = 1e-6f * delta;
+    const float least = 1e-6f * delta, share = warm_start * s.kick / s.time_step;
     const auto part_of = [=](float pressure) {
-      const float part = warm_start * pressure;
+      const float part = share * pressure;
       return part < least ? 0.f : part;
     };
     s.executor.for_each("start pressure", s.particles.count,

@@ -143,29 +143,31 @@ struct Simulation::Impl {
                                 .boundary = neighbourhood.boundary(),
                                 .contact = contact(),
                                 .time_step = static_cast<float>(dt),
+                                .kick = kick(dt),
                                 .excess = particles.overlapping ? particles.excess.data() : nullptr,
-                                .densest = particles.overlapping ? densest : 1,
-                                .last_time_step = static_cast<float>(time_step.last())};
+                                .densest = particles.overlapping ? densest : 1};
       if (constants.viscosity > 0)
         apply_viscosity(context);
       const StepResult result = solver->solve(context);
       statistics.iterations += result.iterations;
       if (!result.accepted)
         continue;
-      statistics.contacts += integrate(context);
+      statistics.contacts += integrate(context, result.pressure_factor);
       break;
     }
     time_step.accepted(dt);
     return dt;
   }
 
+  /// Time between the middle of the last step and the middle of one of length dt, s.
+  float kick(double dt) const { return static_cast<float>(0.5 * (time_step.last() + dt)); }
+
   /// All but what depends on neighbours. Leapfrog: velocities belong to the middle of a step, so
   /// that the kick at its start spans half of the last step and half of this one, and free fall is
   /// exact.
   void drift(double dt) {
-    const float kick = static_cast<float>(0.5 * (time_step.last() + dt)),
-                step = static_cast<float>(dt);
-    const Vec3<float> dv = kick * body_acceleration(settings.forces, time);
+    const float step = static_cast<float>(dt);
+    const Vec3<float> dv = kick(dt) * body_acceleration(settings.forces, time);
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view();
@@ -201,7 +203,7 @@ struct Simulation::Impl {
   }
 
   /// Takes over the corrected positions; returns how many particles were stopped by a surface.
-  std::int64_t integrate(const StepContext& s) {
+  std::int64_t integrate(const StepContext& s, float pressure_factor) {
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view(),
@@ -216,12 +218,12 @@ struct Simulation::Impl {
           const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
           x.set(i, corrected[i]);
           v.set(i, velocity);
-          pressure[i] = new_pressure[i];
+          pressure[i] = pressure_factor * new_pressure[i];
           return Motion{dot(velocity, velocity), dot(push, push) > 0};
         });
     const BoundaryView& solid = s.boundary;
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
-      solid.pressure[solid.wet[k]] = solid.step_pressure[solid.wet[k]];
+      solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
     if (particles.overlapping)
       note_overlap();

@@ -18,16 +18,17 @@ struct StepContext {
   BoundaryView boundary;
   ContactView contact;
   float time_step;  ///< Δt, s
+  float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
   /// Compression beyond the tolerance that a particle may keep in this step; null where there is
   /// none, as always but after a start with overlapping particles.
   const float* excess;
   float densest;  ///< largest density ratio of the particles there; 1 where there is no excess
-  float last_time_step;  ///< that of the step before, s; 0 at the start
 };
 
 struct StepResult {
   bool accepted = true;  ///< false: repeat the step with a smaller Δt
   int iterations = 0;
+  float pressure_factor = 1;  ///< from `step_pressure` to the pressure that is kept and reported
 };
 
 /// Leaves `acceleration` (by pressure), `step_pressure` and `corrected_position` such that

