@@ -72,7 +72,7 @@ const std::vector<Case> wrong_together{
      {"fluid.volumes[0]", "outside the domain"}},
     {R"({"fluid": {"volumes": [{"box": {"min": [0,0,0], "max": [0.01,0.01,0.01]}}]}})",
      {"fluid.volumes[0]: holds no particle at a spacing of 0.025 m"}},
-    {R"({"fluid": {"spacing": 1e-6}})", {"fluid.spacing", "particles; at most 2e+08"}},
+    {R"({"fluid": {"spacing": 4e-5}})", {"fluid.spacing", "particles; at most 2e+08"}},
     {R"({"obstacles": [{"cylinder": {"from": [1,1,1], "to": [1,1,1], "radius": 1}}]})",
      {"obstacles[0].cylinder", "same point"}},
     {R"({"video": {"width": 641}})", {"video.width: 641 is odd"}},

@@ -113,7 +113,7 @@ TEST_CASE("a number is dumped as it was written") {
   CHECK(text.find("\"viscosity\": 0.0003,") != std::string::npos);
 }
 
-TEST_CASE("--set changes any value, in files' words") {
+TEST_CASE("an override sets any value, in the words of scene files") {
   CHECK(parse("{}", {"fluid.viscosity=0.05"}).simulation.fluid.viscosity == 0.05f);
   CHECK(parse("{}", {"look.style=particles"}).look.style == gl::Style::particles);
   CHECK(parse("{}", {"look.style=\"particles\""}).look.style == gl::Style::particles);

@@ -1,0 +1,197 @@
+// The render command on a small scene: what it leaves, what it does not do twice, how it ends
+// early.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/bounded_queue.hpp"
+#include "app/commands.hpp"
+#include "app/particle_cache.hpp"
+#include "app/scene.hpp"
+#include "output_support.hpp"
+#include "render/output/output.hpp"
+
+namespace fs = std::filesystem;
+using namespace spindrift;
+using output_test::TemporaryFolder;
+
+namespace {
+
+const char* const small_scene = R"({
+  "fluid": {"spacing": 0.08, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.4, 0.64, 0.4]}}]},
+  "domain": {"min": [0, 0, 0], "max": [0.96, 0.8, 0.4]},
+  "video": {"width": 96, "height": 64, "duration": 0.2}
+})";
+
+app::Scene scene(const app::Overrides& set = {}) {
+  return app::parse_scene(small_scene, "small.json", set);
+}
+
+app::RenderOptions options_for(const fs::path& folder) {
+  app::RenderOptions options;
+  options.output = folder;
+  options.quiet = true;
+  return options;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+nlohmann::json report_of(const fs::path& folder) {
+  return nlohmann::json::parse(bytes_of(folder / "run.json"));
+}
+
+int count(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("a run leaves its frames, a video and a report") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  CHECK(count(options.output / "frames") == 6);
+  CHECK(fs::file_size(options.output / "video.mp4") > 1000);
+  const Image image = output::read_png(options.output / "frames/0005.png");
+  CHECK(image.width == 96);
+  CHECK(image.height == 64);
+  const auto report = report_of(options.output);
+  CHECK(report.at("complete") == true);
+  CHECK(report.at("particles") == 5 * 8 * 5);
+  CHECK(report.at("frames").size() == 6);
+  CHECK(report.at("frames_simulated") == 6);
+  CHECK(report.at("frames").at(5).at("time") == Approx(5 / 30.));
+  CHECK(report.at("frames").at(5).at("steps") > 0);
+  CHECK(report.at("frames").at(5).at("max_compression") <= 0.03);
+  CHECK(report.at("scene").at("video").at("width") == 96);
+  CHECK_FALSE(report.at("gl").at("renderer").get<std::string>().empty());
+  CHECK(report.at("stage_seconds").contains("draw"));
+}
+
+TEST_CASE("a changed picture does not simulate again; a changed liquid does") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  const std::string before = bytes_of(options.output / "frames/0003.png");
+  REQUIRE(app::run_render(scene({"look.liquid_color=[0.2,0.7,0.3]"}), options) == app::done);
+  CHECK(report_of(options.output).at("frames_simulated") == 0);
+  CHECK(bytes_of(options.output / "frames/0003.png") != before);
+  REQUIRE(app::run_render(scene({"fluid.viscosity=1"}), options) == app::done);
+  CHECK(report_of(options.output).at("frames_simulated") == 6);
+}
+
+TEST_CASE("a longer run of the same scene goes on from the kept particles, to the same bytes") {
+  const TemporaryFolder folder;
+  const auto once = options_for(folder / "once"), twice = options_for(folder / "twice");
+  REQUIRE(app::run_render(scene(), once) == app::done);
+  REQUIRE(app::run_render(scene({"video.duration=0.1"}), twice) == app::done);
+  REQUIRE(app::run_render(scene(), twice) == app::done);
+  CHECK(report_of(twice.output).at("frames_simulated") == 3);
+  for (int k = 0; k < 6; ++k) {
+    const std::string name = fmt::format("frames/{:04}.png", k);
+    CHECK(bytes_of(once.output / name) == bytes_of(twice.output / name));
+  }
+  CHECK(bytes_of(once.output / "video.mp4") == bytes_of(twice.output / "video.mp4"));
+}
+
+TEST_CASE("pictures and video are the same bytes for one, two and four threads") {
+  const TemporaryFolder folder;
+  std::vector<std::string> videos;
+  for (const int threads : {1, 2, 4}) {
+    auto options = options_for(folder / fmt::format("{}", threads).c_str());
+    options.threads = threads;
+    REQUIRE(app::run_render(scene(), options) == app::done);
+    videos.push_back(bytes_of(options.output / "video.mp4") +
+                     bytes_of(options.output / "frames/0005.png"));
+  }
+  CHECK(videos[0] == videos[1]);
+  CHECK(videos[0] == videos[2]);
+}
+
+TEST_CASE("a range of frames draws only those") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.frames = app::FrameRange{2, 3};
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  CHECK(count(options.output / "frames") == 2);
+  CHECK(fs::exists(options.output / "frames/0002.png"));
+  CHECK(report_of(options.output).at("complete") == true);
+}
+
+TEST_CASE("pictures left from a longer run go away") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  REQUIRE(app::run_render(scene({"video.duration=0.1"}), options) == app::done);
+  CHECK(count(options.output / "frames") == 3);
+}
+
+TEST_CASE("particles kept by one run can be drawn by another") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  auto other = options_for(folder / "other");
+  other.from_particles = fs::directory_iterator(options.output / "particles")->path();
+  REQUIRE(app::run_render(scene(), other) == app::done);
+  CHECK(report_of(other.output).at("frames_simulated") == 0);
+  CHECK(bytes_of(other.output / "frames/0004.png") == bytes_of(options.output / "frames/0004.png"));
+}
+
+TEST_CASE("meshes and particles are exported on request, and nothing is drawn by simulate") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.export_meshes = options.export_particles = true;
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  CHECK(count(options.output / "meshes") == 6);
+  CHECK(bytes_of(options.output / "meshes/0000.ply").starts_with("ply\n"));
+  CHECK(count(options.output / "particles_ply") == 6);
+  auto dry = options_for(folder / "dry");
+  dry.simulate_only = true;
+  REQUIRE(app::run_render(scene(), dry) == app::done);
+  CHECK_FALSE(fs::exists(dry.output / "frames"));
+  CHECK_FALSE(fs::exists(dry.output / "video.mp4"));
+}
+
+TEST_CASE("a failure while writing is told, leaves finished frames and a playable video") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  // A folder in the place of a frame's file: that frame can't be written.
+  fs::create_directories(options.output / "frames/0003.png/in the way");
+  CHECK(app::run_render(scene(), options) == app::run_failed);
+  CHECK(fs::exists(options.output / "frames/0002.png"));
+  CHECK(fs::file_size(options.output / "video.mp4") > 500);
+  CHECK(report_of(options.output).at("complete") == false);
+}
+
+TEST_CASE("a damaged particle file is an error that names it") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  const fs::path kept = fs::directory_iterator(options.output / "particles")->path();
+  fs::resize_file(kept / "0002.particles", 1000);
+  CHECK_THROWS_WITH(app::ParticleCache(kept).read(2), Catch::Contains("0002.particles"));
+  CHECK_THROWS_WITH(app::ParticleCache(kept).read(99), Catch::Contains("0099.particles"));
+}
+
+TEST_CASE("a queue hands over in order, waits when full, and ends when closed") {
+  app::BoundedQueue<int> queue(2);
+  std::thread giver([&] {
+    for (int k = 0; k < 100; ++k)
+      queue.push(k);
+    queue.close();
+  });
+  for (int k = 0; k < 100; ++k)
+    CHECK(queue.pop() == k);
+  CHECK_FALSE(queue.pop().has_value());
+  giver.join();
+  CHECK_FALSE(queue.push(1));
+}
