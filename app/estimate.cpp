@@ -13,12 +13,12 @@ namespace {
 using std::numbers::pi;
 
 // Measured on ordinary scenes; rough by nature.
-constexpr double bytes_per_particle = 600.;  // its fields and its neighbour list
+constexpr double bytes_per_particle = 650.;  // its fields and its neighbour list
 constexpr double bytes_per_boundary_particle = 60.;
 constexpr double bytes_per_pixel = 80.;              // 4 samples of colour and depth, two copies
-constexpr double seconds_per_particle_step = 4e-6;   // of one thread
-constexpr double seconds_per_particle_frame = 2e-6;  // to find the surface and draw it
-constexpr double seconds_per_pixel_frame = 1.2e-7;   // to draw and write
+constexpr double seconds_per_particle_step = 3e-6;   // of one thread
+constexpr double seconds_per_particle_frame = 3e-6;  // to find the surface and draw it
+constexpr double seconds_per_pixel_frame = 2.4e-7;   // to draw and write
 
 /// The fastest speed that falling through the domain and the volumes' own speeds give.
 double likely_speed(const sim::Settings& settings) {

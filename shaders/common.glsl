@@ -1,6 +1,8 @@
 // What every shader sees: the frame's camera, light and colours, and the shading they share.
 // Colours are linear RGB; lengths are in m.
 
+const float ribbon_pixels = 1.6;  // width of the domain box's edges
+
 layout(std140, binding = 0) uniform Frame {
   mat4 world_to_clip;
   mat4 world_to_shadow;    // to clip space of the floor's shadow map
@@ -19,7 +21,13 @@ layout(std140, binding = 0) uniform Frame {
   vec4 stage_min;
   vec4 stage_max;
   vec4 viewport;           // width, height, 1/width, 1/height
+  vec4 depth_scale;        // see range_of()
 } frame;
+
+// How far before the eye a value of the depth buffer lies, along the camera's axis.
+float range_of(float depth) {
+  return frame.depth_scale.y / (2.0 * depth - 1.0 + frame.depth_scale.x);
+}
 
 // The backdrop behind a pixel: from the colour of the picture's bottom row to that of its top row.
 vec3 background(float y) {
@@ -41,4 +49,9 @@ vec3 direct_light(vec3 n) {
 vec3 highlight(vec3 n, vec3 v) {
   float along = max(dot(reflect(frame.light.xyz, n), v), 0.0);
   return frame.gloss.y * frame.radiance.rgb * pow(along, frame.gloss.x);
+}
+
+// Solid obstacles: ambient and diffuse light, and a faint Phong highlight. v points to the eye.
+vec3 obstacle_light(vec3 n, vec3 v) {
+  return frame.obstacle_color.rgb * (sky_fill(n) + direct_light(n)) + 0.15 * highlight(n, v);
 }

@@ -7,7 +7,7 @@
 //    |/      |/     z: corner 0 is the minimum, bit 0 is x, bit 1 is y, bit 2 is -z in this picture
 //    0-------1
 
-const float ribbon_pixels = 1.6;
+layout(location = 0) out float offset;  // from the middle, in pixels
 
 vec3 box_corner(int index) {
   return mix(frame.stage_min.xyz, frame.stage_max.xyz,
@@ -26,7 +26,10 @@ void main() {
   vec3 to_eye = frame.eye.xyz - p;
   float pixel = frame.eye.w * length(to_eye);
   vec3 across = cross(along, to_eye);
-  across *= 0.5 * ribbon_pixels * pixel / max(length(across), 1e-20);
+  // Wider by a pixel on each side, for soft rims.
+  float reach = 0.5 * ribbon_pixels + 1.0;
+  across *= reach * pixel / max(length(across), 1e-20);
+  offset = (gl_VertexID & 2) == 0 ? reach : -reach;
   p += (gl_VertexID & 2) == 0 ? across : -across;
   // Slightly towards the eye, so that liquid at the wall does not cover the edge in front of it.
   p += to_eye * 2e-3;

@@ -17,6 +17,17 @@ void require_complete(const Framebuffer& target, int width, int height) {
 }
 }  // namespace
 
+Picture::Picture(int width, int height)
+    : width_(width), height_(height), picture_(make_texture(GL_SRGB8_ALPHA8, width, height)) {
+  glNamedFramebufferTexture(target_, GL_COLOR_ATTACHMENT0, picture_, 0);
+  require_complete(target_, width, height);
+}
+
+void Picture::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, target_);
+  glViewport(0, 0, width_, height_);
+}
+
 Behind::Behind(int width, int height)
     : width_(width), height_(height), picture_(make_texture(GL_SRGB8_ALPHA8, width, height)) {
   glTextureView(encoded_, GL_TEXTURE_2D, picture_, GL_RGBA8, 0, 1, 0, 1);
@@ -29,46 +40,38 @@ Behind::Behind(int width, int height)
   require_complete(target_, width, height);
 }
 
-void Behind::bind() const {
+void Behind::begin(const Picture& picture) const {
+  glCopyImageSubData(picture.texture(), GL_TEXTURE_2D, 0, 0, 0, 0, picture_, GL_TEXTURE_2D, 0, 0, 0,
+                     0, width_, height_, 1);
   glBindFramebuffer(GL_FRAMEBUFFER, target_);
   glViewport(0, 0, width_, height_);
-}
-
-void Behind::begin() const {
-  bind();
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
-Canvas::Canvas(int width, int height) : width_(width), height_(height) {
-  glNamedRenderbufferStorageMultisample(samples_, samples_per_pixel, GL_SRGB8_ALPHA8, width,
-                                        height);
-  glNamedRenderbufferStorageMultisample(depth_, samples_per_pixel, GL_DEPTH_COMPONENT24, width,
-                                        height);
-  glNamedRenderbufferStorage(resolved_, GL_SRGB8_ALPHA8, width, height);
-  glNamedFramebufferRenderbuffer(sampled_target_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_);
-  glNamedFramebufferRenderbuffer(sampled_target_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
-  glNamedFramebufferRenderbuffer(resolved_target_, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                 resolved_);
-  require_complete(sampled_target_, width, height);
-  require_complete(resolved_target_, width, height);
+Samples::Samples(GLenum format, int width, int height) : width_(width), height_(height) {
+  glTextureStorage2DMultisample(values_, samples_per_pixel, format, width, height, GL_TRUE);
+  glTextureStorage2DMultisample(depth_, samples_per_pixel, GL_DEPTH_COMPONENT24, width, height,
+                                GL_TRUE);
+  glNamedFramebufferTexture(target_, GL_COLOR_ATTACHMENT0, values_, 0);
+  glNamedFramebufferTexture(target_, GL_DEPTH_ATTACHMENT, depth_, 0);
+  require_complete(target_, width, height);
 }
 
-void Canvas::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, sampled_target_);
+void Samples::begin() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, target_);
   glViewport(0, 0, width_, height_);
-}
-
-void Canvas::begin() const {
-  bind();
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
-Image Canvas::read() const {
-  glBlitNamedFramebuffer(sampled_target_, resolved_target_, 0, 0, width_, height_, 0, 0, width_,
-                         height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+void Samples::resolve(const Picture& picture) const {
+  glBlitNamedFramebuffer(target_, picture.target(), 0, 0, width_, height_, 0, 0, width_, height_,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Image Picture::read() const {
   const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   std::vector<std::uint8_t> rgba(4 * pixels);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_target_);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target_);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   Image image(width_, height_);
   std::uint8_t* out = image.pixels.data();

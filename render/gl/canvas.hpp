@@ -1,4 +1,4 @@
-// What is drawn on: a multisampled sRGB picture and its resolved copy.
+// What is drawn on: the picture, the picture behind the liquid, and multisampled buffers.
 #pragma once
 
 #include "render/gl/gl_objects.hpp"
@@ -6,14 +6,34 @@
 
 namespace spindrift::gl {
 
-/// A picture with one sample per pixel, to be seen through the liquid.
+/// The finished picture: one sample per pixel, sRGB-encoded.
+class Picture {
+ public:
+  /// @throws std::runtime_error when the driver cannot hold a picture of this size.
+  Picture(int width, int height);
+
+  /// Makes it the target of what is drawn from now on.
+  void bind() const;
+  /// Reads the picture back, top row first.
+  Image read() const;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const Texture& texture() const { return picture_; }
+  const Framebuffer& target() const { return target_; }
+
+ private:
+  int width_, height_;
+  Texture picture_;
+  Framebuffer target_;
+};
+
+/// The picture without the liquid, one sample per pixel, to be seen through the liquid.
 class Behind {
  public:
   Behind(int width, int height);
-  /// Makes it the target of what is drawn from now on.
-  void bind() const;
-  /// The same, with nothing on it.
-  void begin() const;
+  /// Starts it as a copy of `picture` and makes it the target of what is drawn from now on.
+  void begin(const Picture& picture) const;
   /// The picture's bytes: sRGB-encoded colours that are not decoded on reading.
   const TextureView& encoded() const { return encoded_; }
 
@@ -25,25 +45,25 @@ class Behind {
   Framebuffer target_;
 };
 
-class Canvas {
+/// Four samples per pixel of something and of its depth.
+class Samples {
  public:
   /// @throws std::runtime_error when the driver cannot hold a picture of this size.
-  Canvas(int width, int height);
+  Samples(GLenum format, int width, int height);
 
-  /// Makes the multisampled picture the target of what is drawn from now on.
-  void bind() const;
-  /// The same, with nothing on it. Its colours are left as they are: the backdrop covers them.
+  /// Makes them the target of what is drawn from now on, with nothing on them. The colours are left
+  /// as they are.
   void begin() const;
-  /// Averages the samples in linear light and reads the picture back, top row first.
-  Image read() const;
+  /// Fills the picture with the averages.
+  void resolve(const Picture& picture) const;
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  const MultisampleTexture& values() const { return values_; }
+  const MultisampleTexture& depth() const { return depth_; }
 
  private:
   int width_, height_;
-  Renderbuffer samples_, depth_, resolved_;
-  Framebuffer sampled_target_, resolved_target_;
+  MultisampleTexture values_, depth_;
+  Framebuffer target_;
 };
 
 }  // namespace spindrift::gl

@@ -37,16 +37,16 @@ Camera camera_of(const View& view) {
   return {right, glm::cross(right, forward), forward};
 }
 
-glm::mat4 world_to_clip(const View& view, const Camera& camera, const Stage& stage, float aspect) {
+glm::mat4 view_to_clip(const View& view, const Stage& stage, float aspect) {
   const float size = glm::distance(stage.min, stage.max);
   const float range = glm::distance(view.position, 0.5f * (stage.min + stage.max));
   const float near = std::max(0.005f * size, 0.2f * (range - size));
   const float far = range + 10.f * size;
-  return glm::perspective(glm::radians(view.vertical_fov), aspect, near, far) *
-         glm::lookAt(view.position, view.position + camera.forward, camera.up);
+  return glm::perspective(glm::radians(view.vertical_fov), aspect, near, far);
 }
 
-/// Slides a point along the light to the floor and maps the area to [-1, 1]; depth is left out.
+}  // namespace
+
 glm::mat4 world_to_shadow(glm::vec3 light, float floor, const ShadowArea& area) {
   if (area.empty()) {
     return glm::mat4(1.f);
@@ -62,8 +62,6 @@ glm::mat4 world_to_shadow(glm::vec3 light, float floor, const ShadowArea& area) 
           1.f};
   return m;
 }
-
-}  // namespace
 
 ShadowArea shadow_area(const LightSettings& light, const Stage& stage, const Bounds& casters) {
   const glm::vec3 direction = glm::normalize(light.direction);
@@ -91,7 +89,9 @@ FrameUniforms frame_uniforms(const View& view, const LookSettings& look, const L
   const glm::vec3 liquid = linear_from_srgb(look.liquid_color);
   const glm::vec3 direction = glm::normalize(light.direction);
   FrameUniforms frame;
-  frame.world_to_clip = world_to_clip(view, camera, stage, aspect);
+  const glm::mat4 lens = view_to_clip(view, stage, aspect);
+  frame.world_to_clip =
+      lens * glm::lookAt(view.position, view.position + camera.forward, camera.up);
   frame.world_to_shadow =
       world_to_shadow(direction, stage.min.y, shadow_area(light, stage, casters));
   frame.eye = {view.position, 2.f * half_height / static_cast<float>(height)};
@@ -112,6 +112,7 @@ FrameUniforms frame_uniforms(const View& view, const LookSettings& look, const L
   frame.stage_max = {stage.max, 0.f};
   frame.viewport = {width, height, 1.f / static_cast<float>(width),
                     1.f / static_cast<float>(height)};
+  frame.depth_scale = {lens[2][2], lens[3][2], 0.f, 0.f};
   return frame;
 }
 

@@ -68,6 +68,15 @@ struct TextureKind {
   static void destroy(GLuint id) { glDeleteTextures(1, &id); }
 };
 
+struct MultisampleTextureKind {
+  static GLuint create() {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
+
 /// A name for glTextureView, which makes the texture.
 struct TextureViewKind {
   static GLuint create() {
@@ -109,6 +118,7 @@ struct ProgramKind {
 using Buffer = Handle<BufferKind>;
 using VertexArray = Handle<VertexArrayKind>;
 using Texture = Handle<TextureKind>;
+using MultisampleTexture = Handle<MultisampleTextureKind>;
 using TextureView = Handle<TextureViewKind>;
 using Renderbuffer = Handle<RenderbufferKind>;
 using Framebuffer = Handle<FramebufferKind>;

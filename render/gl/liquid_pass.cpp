@@ -32,7 +32,9 @@ LiquidPass::LiquidPass(int width, int height)
     : width_((width + 1) / 2),
       height_((height + 1) / 2),
       thickness_program_(make_program(shaders::surface_vert, shaders::thickness_frag)),
-      shading_program_(make_program(shaders::surface_vert, shaders::liquid_frag)),
+      surface_program_(make_program(shaders::obstacle_vert, shaders::surface_normal_frag)),
+      shading_program_(make_program(shaders::fullscreen_vert, shaders::liquid_frag)),
+      surfaces_(GL_RGB10_A2, width, height),
       thickness_(make_texture(GL_R32F, width_, height_)),
       no_obstacles_(make_texture(GL_R32F, 1, 1)) {
   glNamedFramebufferTexture(thickness_target_, GL_COLOR_ATTACHMENT0, thickness_, 0);
@@ -59,13 +61,41 @@ void LiquidPass::measure(const MeshBuffers& liquid, const MeshBuffers* obstacles
   glEnable(GL_DEPTH_TEST);
 }
 
-void LiquidPass::draw(const MeshBuffers& liquid, const TextureView& behind) const {
-  glBindTextureUnit(0, thickness_);
-  glBindTextureUnit(1, behind);
-  glUseProgram(shading_program_);
+void LiquidPass::outline(const MeshBuffers& liquid, const MeshBuffers* obstacles,
+                         bool above_floor) const {
+  surfaces_.begin();
+  glClear(GL_COLOR_BUFFER_BIT);
+  glUseProgram(surface_program_);
+  if (obstacles) {
+    glProgramUniform1f(surface_program_, 0, 1.f / 3.f);
+    if (above_floor) {
+      glEnable(GL_CLIP_DISTANCE0);
+    }
+    obstacles->draw();
+    glDisable(GL_CLIP_DISTANCE0);
+  }
+  glProgramUniform1f(surface_program_, 0, 1.f);
   glEnable(GL_CULL_FACE);
   liquid.draw();
   glDisable(GL_CULL_FACE);
+}
+
+void LiquidPass::shade(const Picture& picture, const TextureView& behind,
+                       bool has_obstacles) const {
+  picture.bind();
+  glBindTextureUnit(0, thickness_);
+  glBindTextureUnit(1, behind);
+  glBindTextureUnit(2, surfaces_.values());
+  glBindTextureUnit(3, surfaces_.depth());
+  glUseProgram(shading_program_);
+  glProgramUniform1i(shading_program_, 0, has_obstacles);
+  glBindVertexArray(no_attributes_);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace spindrift::gl

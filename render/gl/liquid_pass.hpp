@@ -1,8 +1,10 @@
-// The liquid's surface: first how thick the liquid is behind each pixel, then its shading.
+// The liquid's surface: how thick the liquid is behind each pixel, what the nearest surfaces are
+// (with four samples per pixel), and their shading, once per pixel.
 #pragma once
 
 #include <optional>
 
+#include "render/gl/canvas.hpp"
 #include "render/gl/mesh_buffers.hpp"
 
 namespace spindrift::gl {
@@ -14,9 +16,13 @@ class LiquidPass {
   /// Measures how thick the liquid is behind each pixel, up to the obstacles (null: there are
   /// none).
   void measure(const MeshBuffers& liquid, const MeshBuffers* obstacles);
-  /// Draws the liquid as measured last; `behind` is the picture that is seen through
-  /// it, sRGB-encoded.
-  void draw(const MeshBuffers& liquid, const TextureView& behind) const;
+  /// Notes the nearest surfaces of the liquid and the obstacles (null: there are none), the latter
+  /// without what is under the floor when `above_floor` is set.
+  void outline(const MeshBuffers& liquid, const MeshBuffers* obstacles, bool above_floor) const;
+  /// Lights the surfaces noted last, over `picture`; `behind` is what is seen through the liquid,
+  /// sRGB-encoded.
+  void shade(const Picture& picture, const TextureView& behind, bool has_obstacles) const;
+  const MultisampleTexture& depth() const { return surfaces_.depth(); }
 
  private:
   /// How far away obstacles are, for liquid behind them not to count.
@@ -30,7 +36,9 @@ class LiquidPass {
   };
 
   int width_, height_;  ///< of the thickness map: half the picture's
-  Program thickness_program_, shading_program_;
+  Program thickness_program_, surface_program_, shading_program_;
+  Samples surfaces_;
+  VertexArray no_attributes_;
   Texture thickness_, no_obstacles_;
   Framebuffer thickness_target_;
   std::optional<ObstacleRange> obstacle_range_;

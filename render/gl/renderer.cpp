@@ -34,11 +34,12 @@ struct Liquid {
   Liquid(int width, int height) : behind(width, height), pass(width, height) {}
   MeshBuffers mesh;
   Behind behind;
-  Copy copy;
   LiquidPass pass;
 };
 
 struct Particles {
+  Particles(int width, int height) : samples(GL_SRGB8_ALPHA8, width, height) {}
+  Samples samples;
   ParticleBuffers buffers;
   ParticlePass pass;
 };
@@ -52,7 +53,7 @@ class Drawing {
         light_(light),
         stage_(stage),
         casters_{stage.min, stage.max},
-        canvas_(width, height) {
+        picture_(width, height) {
     if (look.walls) {
       edges_.emplace();
     }
@@ -77,42 +78,36 @@ class Drawing {
 
   Image draw(const Mesh& mesh, const View& view) {
     begin(view);
-    if (mesh.triangles.empty()) {
-      draw_surroundings(view, draw_shadow(nullptr, nullptr));
-      return finish();
-    }
     if (!liquid_) {
-      liquid_.emplace(canvas_.width(), canvas_.height());
+      liquid_.emplace(picture_.width(), picture_.height());
     }
+    const MeshBuffers* obstacles = obstacles_ ? &obstacles_->mesh : nullptr;
     liquid_->mesh.set(mesh);
-    const Texture* shadow = draw_shadow(&liquid_->mesh, nullptr);
-    liquid_->pass.measure(liquid_->mesh, obstacles_ ? &obstacles_->mesh : nullptr);
+    const Texture* shadow = draw_shadow(mesh.triangles.empty() ? nullptr : &mesh, nullptr);
+    liquid_->pass.measure(liquid_->mesh, obstacles);
+    liquid_->pass.outline(liquid_->mesh, obstacles, floor_is_seen(view));
 
-    liquid_->behind.begin();
+    picture_.bind();
     surroundings(view).draw(shadow);
-    canvas_.begin();
-    liquid_->copy.draw(liquid_->behind.encoded());
+    liquid_->behind.begin(picture_);
     draw_obstacles(view);
-    if (obstacles_) {
-      liquid_->behind.bind();
-      draw_obstacles(view);
-      canvas_.bind();
-    }
-    liquid_->pass.draw(liquid_->mesh, liquid_->behind.encoded());
-    return finish();
+    liquid_->pass.shade(picture_, liquid_->behind.encoded(), obstacles_.has_value());
+    return finish(liquid_->pass.depth());
   }
 
   Image draw(const ParticleCloud& cloud, const View& view) {
-    begin(view);
     if (cloud.positions.empty()) {
-      draw_surroundings(view, draw_shadow(nullptr, nullptr));
-      return finish();
+      return draw(Mesh{}, view);
     }
+    begin(view);
     if (!particles_) {
-      particles_.emplace();
+      particles_.emplace(picture_.width(), picture_.height());
     }
     particles_->buffers.set(cloud);
-    draw_surroundings(view, draw_shadow(nullptr, &particles_->buffers));
+    const Texture* shadow = draw_shadow(nullptr, &particles_->buffers);
+    particles_->samples.begin();
+    surroundings(view).draw(shadow);
+    draw_obstacles(view);
     float low = look_.color_min, high = look_.color_max;
     if (low == high) {
       const auto [least, most] = std::ranges::minmax(cloud.attribute);
@@ -120,13 +115,14 @@ class Drawing {
       high = most;
     }
     particles_->pass.draw(particles_->buffers, low, high);
-    return finish();
+    particles_->samples.resolve(picture_);
+    return finish(particles_->samples.depth());
   }
 
  private:
   void begin(const View& view) {
     const FrameUniforms frame =
-        frame_uniforms(view, look_, light_, stage_, casters_, canvas_.width(), canvas_.height());
+        frame_uniforms(view, look_, light_, stage_, casters_, picture_.width(), picture_.height());
     upload(frame_, std::span(&frame, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_);
     glEnable(GL_FRAMEBUFFER_SRGB);
@@ -134,19 +130,16 @@ class Drawing {
   }
 
   /// The map of the light on the floor, or null when nothing shades it.
-  const Texture* draw_shadow(const MeshBuffers* liquid, const ParticleBuffers* particles) {
+  const Texture* draw_shadow(const Mesh* liquid, const ParticleBuffers* particles) {
     const ShadowArea area = shadow_area(light_, stage_, casters_);
     const bool casts = liquid || particles || obstacles_;
     if (!light_.shadows || !look_.floor || !casts || area.empty()) {
       return nullptr;
     }
     if (!shadow_) {
-      shadow_.emplace(area);
+      shadow_.emplace(area, glm::normalize(light_.direction), stage_.min.y);
     }
-    shadow_->begin();
-    if (liquid) {
-      shadow_->add_liquid(*liquid);
-    }
+    shadow_->begin(liquid);
     if (particles) {
       shadow_->add_particles(*particles);
     }
@@ -180,25 +173,20 @@ class Drawing {
     }
   }
 
-  /// Starts the picture with everything but the liquid and the edges.
-  void draw_surroundings(const View& view, const Texture* shadow) {
-    canvas_.begin();
-    surroundings(view).draw(shadow);
-    draw_obstacles(view);
-  }
-
-  Image finish() {
+  /// Draws what goes over all else, hidden by what `depth` says, and reads the picture.
+  Image finish(const MultisampleTexture& depth) {
     if (edges_) {
-      edges_->draw();
+      picture_.bind();
+      edges_->draw(depth);
     }
-    return canvas_.read();
+    return picture_.read();
   }
 
   LookSettings look_;
   LightSettings light_;
   Stage stage_;
   Bounds casters_;
-  Canvas canvas_;
+  Picture picture_;
   Buffer frame_;
   std::optional<Surroundings> backdrop_, floor_;
   std::optional<Edges> edges_;

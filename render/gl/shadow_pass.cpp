@@ -27,30 +27,28 @@ ShadowPass::Target::Target(GLenum format, int width, int height)
   glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
 }
 
-ShadowPass::ShadowPass(const ShadowArea& area)
+ShadowPass::ShadowPass(const ShadowArea& area, glm::vec3 light, float floor)
     : width_(texels(area.max.x - area.min.x, longer(area))),
       height_(texels(area.max.y - area.min.y, longer(area))),
       blocked_(GL_R32F, width_, height_),
       half_blurred_(GL_RGBA8, width_, height_),
       arriving_(GL_RGBA8, width_, height_),
-      blur_(make_program(shaders::fullscreen_vert, shaders::shadow_blur_frag)) {}
+      blur_(make_program(shaders::fullscreen_vert, shaders::shadow_blur_frag)),
+      splat_(width_, height_, world_to_shadow(light, floor, area), light, floor) {}
 
-void ShadowPass::begin() const {
+void ShadowPass::begin(const Mesh* liquid) {
   glBindFramebuffer(GL_FRAMEBUFFER, blocked_.framebuffer);
   glViewport(0, 0, width_, height_);
-  const std::array<float, 4> nothing{};
-  glClearNamedFramebufferfv(blocked_.framebuffer, GL_COLOR, 0, nothing.data());
+  if (liquid) {
+    glTextureSubImage2D(blocked_.texture, 0, 0, 0, width_, height_, GL_RED, GL_FLOAT,
+                        splat_.measure(*liquid).data());
+  } else {
+    const std::array<float, 4> nothing{};
+    glClearNamedFramebufferfv(blocked_.framebuffer, GL_COLOR, 0, nothing.data());
+  }
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-}
-
-void ShadowPass::add_liquid(const MeshBuffers& liquid) {
-  if (!liquid_) {
-    liquid_ = make_program(shaders::shadow_mesh_vert, shaders::shadow_liquid_frag);
-  }
-  glUseProgram(*liquid_);
-  liquid.draw();
 }
 
 void ShadowPass::add_particles(const ParticleBuffers& particles) {

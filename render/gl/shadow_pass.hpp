@@ -6,16 +6,16 @@
 
 #include "render/gl/frame.hpp"
 #include "render/gl/mesh_buffers.hpp"
+#include "render/gl/shadow_splat.hpp"
 
 namespace spindrift::gl {
 
 class ShadowPass {
  public:
-  explicit ShadowPass(const ShadowArea& area);
+  ShadowPass(const ShadowArea& area, glm::vec3 light, float floor);
 
-  /// Starts with nothing in the light's way.
-  void begin() const;
-  void add_liquid(const MeshBuffers& liquid);
+  /// Starts with the liquid in the light's way (null: nothing).
+  void begin(const Mesh* liquid);
   void add_particles(const ParticleBuffers& particles);
   void add_obstacles(const MeshBuffers& obstacles);
   /// Share of the light that arrives on the floor, over the shadow area.
@@ -31,7 +31,8 @@ class ShadowPass {
   int width_, height_;
   Target blocked_, half_blurred_, arriving_;
   Program blur_;
-  std::optional<Program> liquid_, solid_, sphere_;  ///< made when first used
+  ShadowSplat splat_;
+  std::optional<Program> solid_, sphere_;  ///< made when first used
   VertexArray no_attributes_;
 };
 

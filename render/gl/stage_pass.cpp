@@ -32,24 +32,18 @@ void Surroundings::draw(const Texture* shadow) const {
   fill_picture(program_, no_attributes_);
 }
 
-Copy::Copy() : program_(make_program(shaders::fullscreen_vert, shaders::copy_frag)) {}
-
-void Copy::draw(const TextureView& encoded) const {
-  glBindTextureUnit(0, encoded);
-  glDisable(GL_FRAMEBUFFER_SRGB);
-  fill_picture(program_, no_attributes_);
-  glEnable(GL_FRAMEBUFFER_SRGB);
-}
-
 Edges::Edges() : program_(make_program(shaders::edges_vert, shaders::edges_frag)) {}
 
-void Edges::draw() const {
+void Edges::draw(const MultisampleTexture& depth) const {
+  glBindTextureUnit(0, depth);
   glUseProgram(program_);
   glBindVertexArray(no_attributes_);
+  glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 12);
   glDisable(GL_BLEND);
+  glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace spindrift::gl

@@ -19,21 +19,11 @@ class Surroundings {
   Texture no_shadow_;
 };
 
-/// Fills the picture with the bytes of another one; to be drawn first.
-class Copy {
- public:
-  Copy();
-  void draw(const TextureView& encoded) const;
-
- private:
-  Program program_;
-  VertexArray no_attributes_;
-};
-
 class Edges {
  public:
   Edges();
-  void draw() const;
+  /// Draws them on a finished picture; `depth` is that of all that stands on the stage.
+  void draw(const MultisampleTexture& depth) const;
 
  private:
   Program program_;

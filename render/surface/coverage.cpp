@@ -1,8 +1,10 @@
 #include "render/surface/coverage.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
 #include <utility>
+
+#include "render/surface/kernel.hpp"
 
 namespace spindrift::surface {
 namespace {
@@ -21,24 +23,21 @@ constexpr float kDropKernelRadius = 1.5f;
 constexpr float kLone = 0.12f;
 constexpr float kJoined = 0.3f;
 
-constexpr std::size_t kLanes = 8;
+Lanes load(const float* from) {
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
 
 // Sum of kernel_shape over the batch, whose size is a multiple of kLanes. The lanes are summed in a
 // fixed order.
 float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inverse_square) {
-  const float* const x = batch.x.data();
-  const float* const y = batch.y.data();
-  const float* const z = batch.z.data();
-  std::array<float, kLanes> sum{};
+  Lanes sum{};
   for (std::size_t k = 0; k < batch.size(); k += kLanes) {
-#pragma omp simd
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const float dx = x[k + lane] - p.x;
-      const float dy = y[k + lane] - p.y;
-      const float dz = z[k + lane] - p.z;
-      const float t = 1.0f - (dx * dx + dy * dy + dz * dz) * inverse_square;
-      sum[lane] += kernel_shape(t);
-    }
+    const Lanes dx = load(&batch.x[k]) - p.x;
+    const Lanes dy = load(&batch.y[k]) - p.y;
+    const Lanes dz = load(&batch.z[k]) - p.z;
+    sum += kernel_shape(1.0f - (dx * dx + dy * dy + dz * dz) * inverse_square);
   }
   return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }

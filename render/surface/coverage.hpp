@@ -12,25 +12,12 @@
 //    together long before they touch.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "render/surface/particle_bins.hpp"
 
 namespace spindrift::surface {
-
-/// The smoothing kernel W(r) = 315 / (64 pi h^3) (1 - r^2/h^2)^3 of Mueller et al. 2003, which
-/// needs no square root: kernel_scale(h) * kernel_shape(1 - r^2/h^2); r and h in spacings.
-inline float kernel_scale(float support) {
-  return 315.0f / (8.0f * 64.0f * 3.14159265f * support * support * support);
-}
-
-/// 8 max(t, 0)^3, without a choice, so that compilers make vector code of it.
-inline float kernel_shape(float t) {
-  const float twice = t + std::fabs(t);
-  return twice * twice * twice;
-}
 
 /// Particle j adds amplitude * kernel_shape(1 - r^2 / radius^2) to the field.
 struct ParticleKernel {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <memory>
 
 #include "render/surface/cube_cases.hpp"
@@ -18,19 +19,32 @@ class Apron {
  public:
   static constexpr int kEdge = kBlockEdge + 3;
 
-  Apron(const SparseField& field, const std::array<std::uint32_t, 27>& around) {
+  Apron(const SparseField& field, const SparseField::Around& around) {
+    std::array<const float*, 27> blocks;
+    for (int i = 0; i < 27; ++i)
+      blocks[i] = field.values(around[i]);
     float* out = values_.data();
     for (int z = -1; z <= kBlockEdge + 1; ++z) {
       for (int y = -1; y <= kBlockEdge + 1; ++y) {
-        const int row = 3 * ((y >> 3) + 1) + 9 * ((z >> 3) + 1);
+        const float* const* const row = &blocks[3 * ((y >> 3) + 1) + 9 * ((z >> 3) + 1)];
         const int first = kBlockEdge * ((y & 7) + kBlockEdge * (z & 7));
-        *out++ = field.value(around[row], first + 7);
-        for (int x = 0; x < kBlockEdge; ++x)
-          *out++ = field.value(around[row + 1], first + x);
-        *out++ = field.value(around[row + 2], first);
-        *out++ = field.value(around[row + 2], first + 1);
+        out[0] = row[0][first + 7];
+        std::copy_n(row[1] + first, kBlockEdge, out + 1);
+        out[kBlockEdge + 1] = row[2][first];
+        out[kBlockEdge + 2] = row[2][first + 1];
+        out += kEdge;
       }
     }
+  }
+
+  // Which of the nodes 0 ... 8 of a row along x lie inside; bit x of the result.
+  unsigned inside_nodes(int y, int z, float iso_value) const {
+    const float* const row = &values_[1 + kEdge * ((y + 1) + kEdge * (z + 1))];
+    unsigned bits = unsigned(row[kBlockEdge] > iso_value) << kBlockEdge;
+#pragma omp simd reduction(| : bits)
+    for (int x = 0; x < kBlockEdge; ++x)
+      bits |= unsigned(row[x] > iso_value) << x;
+    return bits;
   }
 
   float at(const glm::ivec3& node) const {
@@ -54,9 +68,13 @@ struct GridEdge {
 
 // What one block adds to the mesh, before its vertices have their final numbers.
 struct BlockSurface {
-  std::vector<glm::vec3> vertices, normals;
-  std::vector<float> bulk;
+  struct Vertex {
+    glm::vec3 position, normal;
+    float bulk;
+  };
+  std::vector<Vertex> vertices;
   std::vector<std::array<GridEdge, 3>> triangles;
+  SparseField::Around around;
   std::array<std::uint16_t, 3 * kBlockNodes> vertex_on_edge;  // set for crossed edges only
 
   static int edge_index(int node, int axis) { return 3 * node + axis; }
@@ -66,54 +84,58 @@ constexpr int node_index(int x, int y, int z) {
   return x + kBlockEdge * (y + kBlockEdge * z);
 }
 
-std::array<std::uint32_t, 27> blocks_around(const SparseField& field, std::uint32_t block) {
-  const glm::ivec3 center = field.cell(block);
-  std::array<std::uint32_t, 27> around;
-  for (int i = 0; i < 27; ++i)
-    around[i] = i == 13 ? block : field.find(center + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1);
-  return around;
+// The i-th of the eight blocks that hold the corners of a block's cells; the first is the block.
+constexpr int following(int i) {
+  return 13 + (i & 1) + 3 * ((i >> 1) & 1) + 9 * (i >> 2);
 }
 
 // Can the surface cross one of the block's cells? Their corners lie in this block and in the seven
 // that follow it.
-bool may_be_crossed(const SparseField& field, std::uint32_t block) {
-  const BlockSide side = field.side(block);
+bool may_be_crossed(const SparseField& field, const SparseField::Around& around) {
+  const BlockSide side = field.side(around[following(0)]);
   if (side == BlockSide::kBoth)
     return true;
-  const glm::ivec3 cell = field.cell(block);
   for (int i = 1; i < 8; ++i)
-    if (field.side(field.find(cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2))) != side)
+    if (field.side(around[following(i)]) != side)
       return true;
   return false;
 }
 
 class BlockMarcher {
  public:
-  BlockMarcher(const SparseField& field, std::uint32_t block, float iso_value, float spacing)
+  BlockMarcher(const SparseField& field, const SparseField::Around& around, float iso_value,
+               float spacing)
       : field_(field),
-        block_(block),
+        around_(around),
         iso_value_(iso_value),
         spacing_(spacing),
-        values_(field, blocks_around(field, block)) {}
+        values_(field, around) {}
 
   void march(BlockSurface& out) const {
+    std::array<std::array<unsigned, kBlockEdge + 1>, kBlockEdge + 1> inside;
+    for (int z = 0; z <= kBlockEdge; ++z)
+      for (int y = 0; y <= kBlockEdge; ++y)
+        inside[z][y] = values_.inside_nodes(y, z, iso_value_);
     for (int z = 0; z < kBlockEdge; ++z)
       for (int y = 0; y < kBlockEdge; ++y)
-        for (int x = 0; x < kBlockEdge; ++x) {
-          const int corners = inside_corners({x, y, z});
-          if (corners == 0 || corners == 255)
-            continue;
-          add_vertices({x, y, z}, corners, out);
-          add_triangles({x, y, z}, corners, out);
-        }
+        march_row(y, z, {inside[z][y], inside[z][y + 1], inside[z + 1][y], inside[z + 1][y + 1]},
+                  out);
   }
 
  private:
-  int inside_corners(const glm::ivec3& node) const {
-    int corners = 0;
-    for (int c = 0; c < 8; ++c)
-      corners |= int(values_.at(node + glm::ivec3(c & 1, (c >> 1) & 1, c >> 2)) > iso_value_) << c;
-    return corners;
+  // The cells of a row along x, whose nodes lie in four rows of nodes.
+  void march_row(int y, int z, const std::array<unsigned, 4>& inside, BlockSurface& out) const {
+    const unsigned any = inside[0] | inside[1] | inside[2] | inside[3];
+    const unsigned all = inside[0] & inside[1] & inside[2] & inside[3];
+    const unsigned crossed = (any | any >> 1) & ~(all & all >> 1) & ((1u << kBlockEdge) - 1);
+    for (unsigned left = crossed; left != 0; left &= left - 1) {
+      const int x = std::countr_zero(left);
+      int corners = 0;
+      for (int row = 0; row < 4; ++row)
+        corners |= int(inside[row] >> x & 3u) << (2 * row);
+      add_vertices({x, y, z}, corners, out);
+      add_triangles({x, y, z}, corners, out);
+    }
   }
 
   // The vertices on the three grid edges that start at this node.
@@ -150,11 +172,10 @@ class BlockMarcher {
     }
 
     const double cell_size = field_.cell_size() * double(spacing_);
-    const glm::dvec3 first = glm::dvec3(field_.cell(block_) * kBlockEdge);
-    out.vertices.push_back(glm::vec3((first + glm::dvec3(point)) * cell_size));
-    out.normals.push_back(outward);
+    const glm::dvec3 first = glm::dvec3(field_.cell(around_[following(0)]) * kBlockEdge);
     const float depth = float(kBulkDepth / field_.cell_size());
-    out.bulk.push_back(field_.sample(block_, point - outward * depth));
+    out.vertices.push_back({glm::vec3((first + glm::dvec3(point)) * cell_size), outward,
+                            field_.sample(around_, point - outward * depth)});
   }
 
   static void add_triangles(const glm::ivec3& node, int corners, BlockSurface& out) {
@@ -172,7 +193,7 @@ class BlockMarcher {
   }
 
   const SparseField& field_;
-  std::uint32_t block_;
+  const SparseField::Around& around_;
   float iso_value_;
   float spacing_;
   Apron values_;
@@ -184,25 +205,28 @@ BlockSurfaces march_blocks(const SparseField& field, float iso_value, float spac
   BlockSurfaces blocks(field.block_count());
 #pragma omp parallel for schedule(dynamic, 4)
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (!may_be_crossed(field, std::uint32_t(b)))
+    const SparseField::Around around = field.around(std::uint32_t(b));
+    if (!may_be_crossed(field, around))
       continue;
-    blocks[b] = std::make_unique<BlockSurface>();
-    BlockMarcher(field, std::uint32_t(b), iso_value, spacing).march(*blocks[b]);
+    blocks[b] = std::make_unique_for_overwrite<BlockSurface>();
+    blocks[b]->around = around;
+    BlockMarcher(field, around, iso_value, spacing).march(*blocks[b]);
   }
   return blocks;
 }
 
 // The final number of the vertex on a grid edge that a block's triangle refers to.
-std::uint32_t vertex_number(const GridEdge& edge, const std::array<std::uint32_t, 8>& following,
+std::uint32_t vertex_number(const GridEdge& edge, const SparseField::Around& around,
                             const BlockSurfaces& blocks,
                             const std::vector<std::uint32_t>& first_vertex) {
-  const std::uint32_t owner = following[(edge.x >> 3) | (edge.y >> 3) << 1 | (edge.z >> 3) << 2];
+  const std::uint32_t owner =
+      around[following((edge.x >> 3) | (edge.y >> 3) << 1 | (edge.z >> 3) << 2)];
   const int node = node_index(edge.x & 7, edge.y & 7, edge.z & 7);
   return first_vertex[owner] +
          blocks[owner]->vertex_on_edge[BlockSurface::edge_index(node, edge.axis)];
 }
 
-IsoSurface join(const SparseField& field, const BlockSurfaces& blocks) {
+IsoSurface join(const BlockSurfaces& blocks) {
   std::vector<std::uint32_t> first_vertex(blocks.size());
   std::vector<std::size_t> first_triangle(blocks.size());
   std::uint32_t vertex_count = 0;
@@ -226,21 +250,18 @@ IsoSurface join(const SparseField& field, const BlockSurfaces& blocks) {
     if (!blocks[b])
       continue;
     const BlockSurface& block = *blocks[b];
-    std::copy(block.vertices.begin(), block.vertices.end(),
-              result.mesh.vertices.begin() + first_vertex[b]);
-    std::copy(block.normals.begin(), block.normals.end(),
-              result.mesh.normals.begin() + first_vertex[b]);
-    std::copy(block.bulk.begin(), block.bulk.end(), result.bulk.begin() + first_vertex[b]);
-
-    std::array<std::uint32_t, 8> following;
-    const glm::ivec3 cell = field.cell(b);
-    for (int i = 0; i < 8; ++i)
-      following[i] = field.find(cell + glm::ivec3(i & 1, (i >> 1) & 1, i >> 2));
+    std::size_t v = first_vertex[b];
+    for (const BlockSurface::Vertex& vertex : block.vertices) {
+      result.mesh.vertices[v] = vertex.position;
+      result.mesh.normals[v] = vertex.normal;
+      result.bulk[v] = vertex.bulk;
+      ++v;
+    }
     std::size_t t = first_triangle[b];
     for (const std::array<GridEdge, 3>& triangle : block.triangles) {
       glm::uvec3& corners = result.mesh.triangles[t++];
       for (int k = 0; k < 3; ++k)
-        corners[k] = vertex_number(triangle[k], following, blocks, first_vertex);
+        corners[k] = vertex_number(triangle[k], block.around, blocks, first_vertex);
     }
   }
   return result;
@@ -249,7 +270,7 @@ IsoSurface join(const SparseField& field, const BlockSurfaces& blocks) {
 }  // namespace
 
 IsoSurface march_cubes(const SparseField& field, float iso_value, float spacing) {
-  return join(field, march_blocks(field, iso_value, spacing));
+  return join(march_blocks(field, iso_value, spacing));
 }
 
 }  // namespace spindrift::surface

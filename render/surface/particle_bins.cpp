@@ -23,7 +23,6 @@ void ParticleBatch::clear() {
   x.clear();
   y.clear();
   z.clear();
-  particle.clear();
 }
 
 ParticleBins::ParticleBins(std::span<const glm::vec3> positions, float spacing, double bin_size,
@@ -86,19 +85,17 @@ ParticleBins::ParticleBins(std::span<const glm::vec3> positions, float spacing, 
 }
 
 void ParticleBins::append(std::size_t bin, const glm::dvec3& origin, ParticleBatch& batch) const {
-  const glm::vec3 shift(glm::dvec3(cell(bin)) * bin_size_ - origin);
-  const auto shifted = [this, bin](const std::vector<float>& from, float by,
+  const glm::vec3 by = shift(bin, origin);
+  const auto shifted = [this, bin](const std::vector<float>& from, float offset,
                                    std::vector<float>& to) {
     const std::size_t first = to.size();
     to.resize(first + (end(bin) - begin(bin)));
     for (std::size_t k = begin(bin), j = first; k < end(bin); ++k, ++j)
-      to[j] = from[k] + by;
+      to[j] = from[k] + offset;
   };
-  shifted(x_, shift.x, batch.x);
-  shifted(y_, shift.y, batch.y);
-  shifted(z_, shift.z, batch.z);
-  for (std::uint32_t k = begin(bin); k < end(bin); ++k)
-    batch.particle.push_back(k);
+  shifted(x_, by.x, batch.x);
+  shifted(y_, by.y, batch.y);
+  shifted(z_, by.z, batch.z);
 }
 
 }  // namespace spindrift::surface

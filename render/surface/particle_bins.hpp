@@ -14,7 +14,6 @@ namespace spindrift::surface {
 /// Particles of one neighbourhood, copied together with coordinates relative to one point.
 struct ParticleBatch {
   std::vector<float> x, y, z;
-  std::vector<std::uint32_t> particle;  ///< index of the sorted particle
 
   std::size_t size() const { return x.size(); }
   void clear();
@@ -43,6 +42,11 @@ class ParticleBins {
   /// Calls visit(bin) for every occupied bin in the box of cells [lo, hi], by z, then y, then x.
   template <typename Visit>
   void for_each_bin(glm::ivec3 lo, glm::ivec3 hi, Visit visit) const;
+
+  /// What to add to the positions within a bin to make them relative to `origin`.
+  glm::vec3 shift(std::size_t bin, const glm::dvec3& origin) const {
+    return glm::vec3(glm::dvec3(cell(bin)) * bin_size_ - origin);
+  }
 
   /// Appends a bin's particles to a batch, with coordinates relative to `origin`.
   void append(std::size_t bin, const glm::dvec3& origin, ParticleBatch& batch) const;

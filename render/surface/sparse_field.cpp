@@ -3,38 +3,49 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+
+#include "render/surface/kernel.hpp"
 
 namespace spindrift::surface {
 namespace {
 
 using BlockValues = std::array<float, kBlockNodes>;
 
+constexpr BlockValues all_nodes(float value) {
+  BlockValues values{};
+  values.fill(value);
+  return values;
+}
+
+// What the blocks without values of their own hold.
+constexpr BlockValues kAllZero = all_nodes(0.0f);
+constexpr BlockValues kAllOne = all_nodes(1.0f);
+
 // Adds one particle's kernel to a block; the particle's position is relative to the block's first
-// node. Lengths are in spacings.
+// node. Lengths are in spacings. All rows of nodes in the kernel's bounding box are done: to find
+// out which of them miss the kernel's ball would take longer.
 void splat(const glm::vec3& position, const ParticleKernel& kernel, float cell_size,
-           BlockValues& values) {
-  const glm::vec3 p = position / kernel.radius;
-  const float cell = cell_size / kernel.radius;
-  std::array<float, kBlockEdge> dx2;
-  for (int i = 0; i < kBlockEdge; ++i) {
-    const float dx = float(i) * cell - p.x;
-    dx2[i] = dx * dx;
-  }
-  for (int k = 0; k < kBlockEdge; ++k) {
-    const float dz = float(k) * cell - p.z;
-    const float left_z = 1.0f - dz * dz;
-    if (left_z <= 0.0f)
-      continue;
-    for (int j = 0; j < kBlockEdge; ++j) {
-      const float dy = float(j) * cell - p.y;
-      const float left = left_z - dy * dy;
-      if (left <= 0.0f)
-        continue;
-      float* const row = &values[(k * kBlockEdge + j) * kBlockEdge];
-#pragma omp simd
-      for (int i = 0; i < kBlockEdge; ++i) {
-        row[i] += kernel.amplitude * kernel_shape(left - dx2[i]);
-      }
+           float cells_per_spacing, BlockValues& values) {
+  static_assert(kBlockEdge == kLanes);
+  const float scale = 1.0f / kernel.radius;
+  const glm::vec3 p = position * scale;
+  const float cell = cell_size * scale;
+  const glm::ivec3 first(glm::max(glm::ceil((position - kernel.radius) * cells_per_spacing), 0.0f));
+  const glm::ivec3 last(
+      glm::min(glm::floor((position + kernel.radius) * cells_per_spacing), float(kBlockEdge - 1)));
+  const Lanes nodes = Lanes{0, 1, 2, 3, 4, 5, 6, 7} * cell;
+  const Lanes dx2 = (nodes - p.x) * (nodes - p.x);
+  const Lanes dy2 = (nodes - p.y) * (nodes - p.y);
+  const Lanes dz2 = (nodes - p.z) * (nodes - p.z);
+  for (int k = first.z; k <= last.z; ++k) {
+    const Lanes left = (1.0f - dz2[k]) - dx2;
+    float* row = &values[(k * kBlockEdge + first.y) * kBlockEdge];
+    for (int j = first.y; j <= last.y; ++j, row += kBlockEdge) {
+      Lanes sum;
+      std::memcpy(&sum, row, sizeof sum);
+      sum += kernel.amplitude * kernel_shape(left - dy2[j]);
+      std::memcpy(row, &sum, sizeof sum);
     }
   }
 }
@@ -72,6 +83,26 @@ struct BinRange {
     return count == extent.x * extent.y * extent.z;
   }
 };
+
+// The field at the nodes of a block.
+BlockValues sum_kernels(const ParticleBins& bins, const Coverage& coverage,
+                        const glm::ivec3& block_cell, double cell_size) {
+  const glm::dvec3 origin = glm::dvec3(block_cell) * (kBlockEdge * cell_size);
+  const float block_size = float((kBlockEdge - 1) * cell_size);
+  const BinRange range(block_cell, cell_size, bins.bin_size());
+  const float cells_per_spacing = float(1.0 / cell_size);
+  BlockValues values{};
+  bins.for_each_bin(range.lo, range.hi, [&](std::size_t bin) {
+    const glm::vec3 shift = bins.shift(bin, origin);
+    for (std::size_t k = bins.begin(bin); k < bins.end(bin); ++k) {
+      const glm::vec3 p = bins.local(k) + shift;
+      const ParticleKernel& kernel = coverage.kernels[k];
+      if (squared_distance_to_cube(p, block_size) < kernel.radius * kernel.radius)
+        splat(p, kernel, float(cell_size), cells_per_spacing, values);
+    }
+  });
+  return values;
+}
 
 }  // namespace
 
@@ -126,35 +157,23 @@ void SparseField::fill_blocks(const ParticleBins& bins, const Coverage& coverage
   std::uint32_t sampled = 0;
   for (std::size_t b = 0; b < keys_.size(); ++b)
     slots_[b] = sides_[b] == BlockSide::kInside ? kNoBlock : sampled++;
-  values_.resize(std::size_t(sampled) * kBlockNodes);
+  values_ = std::make_unique_for_overwrite<float[]>(std::size_t(sampled) * kBlockNodes);
 
-  const float cell_size = float(cell_size_);
-  const float block_size = float(kBlockEdge - 1) * cell_size;
-#pragma omp parallel
-  {
-    ParticleBatch batch;
-    BlockValues values;
-#pragma omp for schedule(dynamic, 4)
-    for (std::size_t b = 0; b < keys_.size(); ++b) {
-      if (slots_[b] == kNoBlock)
-        continue;
-      const glm::dvec3 origin = glm::dvec3(cell(b)) * (kBlockEdge * cell_size_);
-      const BinRange range(cell(b), cell_size_, bins.bin_size());
-      batch.clear();
-      bins.for_each_bin(range.lo, range.hi,
-                        [&](std::size_t bin) { bins.append(bin, origin, batch); });
-      values.fill(0.0f);
-      for (std::size_t k = 0; k < batch.size(); ++k) {
-        const glm::vec3 p(batch.x[k], batch.y[k], batch.z[k]);
-        const ParticleKernel& kernel = coverage.kernels[batch.particle[k]];
-        if (squared_distance_to_cube(p, block_size) < kernel.radius * kernel.radius)
-          splat(p, kernel, cell_size, values);
-      }
-      sides_[b] = side_of(values, iso_value);
-      std::copy(values.begin(), values.end(),
-                values_.begin() + std::size_t(slots_[b]) * kBlockNodes);
-    }
+#pragma omp parallel for schedule(dynamic, 4)
+  for (std::size_t b = 0; b < keys_.size(); ++b) {
+    if (slots_[b] == kNoBlock)
+      continue;
+    const BlockValues values = sum_kernels(bins, coverage, cell(b), cell_size_);
+    sides_[b] = side_of(values, iso_value);
+    std::copy(values.begin(), values.end(), &values_[std::size_t(slots_[b]) * kBlockNodes]);
   }
+}
+
+const float* SparseField::values(std::uint32_t block) const {
+  if (block == kNoBlock)
+    return kAllZero.data();
+  const std::uint32_t slot = slots_[block];
+  return slot == kNoBlock ? kAllOne.data() : &values_[std::size_t(slot) * kBlockNodes];
 }
 
 std::uint32_t SparseField::find(const glm::ivec3& block_cell) const {
@@ -167,25 +186,41 @@ std::uint32_t SparseField::find(const glm::ivec3& block_cell) const {
   return it != keys_.end() && *it == key ? std::uint32_t(it - keys_.begin()) : kNoBlock;
 }
 
-float SparseField::sample(std::uint32_t block, const glm::vec3& point) const {
+SparseField::Around SparseField::around(std::uint32_t block) const {
+  const glm::ivec3 center = cell(block);
+  Around result;
+  for (int row = 0; row < 9; ++row) {
+    const glm::ivec3 first = center + glm::ivec3(-1, row % 3 - 1, row / 3 - 1);
+    // Blocks that follow each other along x follow each other in memory.
+    std::uint32_t next = kNoBlock;
+    for (int i = 0; i < 3; ++i) {
+      const glm::ivec3 c = first + glm::ivec3(i, 0, 0);
+      if (next == kNoBlock)
+        next = find(c);
+      const bool found = next < keys_.size() && cell(next) == c;
+      result[3 * row + i] = found ? next : kNoBlock;
+      next = found ? next + 1 : kNoBlock;
+    }
+  }
+  return result;
+}
+
+float SparseField::sample(const Around& near, const glm::vec3& point) const {
   const glm::vec3 base = glm::floor(point);
   const glm::vec3 f = point - base;
   const glm::ivec3 first(base);
-  glm::ivec3 near(0);
-  std::uint32_t near_block = block;
   float sum = 0.0f;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
     const glm::ivec3 node = first + step;
     const glm::ivec3 offset = node >> 3;
     const glm::ivec3 in_block = node & 7;
-    if (offset != near) {
-      near = offset;
-      near_block = find(cell(block) + offset);
-    }
+    const bool is_near = glm::all(glm::lessThanEqual(glm::abs(offset), glm::ivec3(1)));
+    const std::uint32_t block =
+        is_near ? near[13 + offset.x + 3 * offset.y + 9 * offset.z] : find(cell(near[13]) + offset);
     const glm::vec3 w = glm::mix(1.0f - f, f, glm::vec3(step));
     sum += w.x * w.y * w.z *
-           value(near_block, in_block.x + kBlockEdge * (in_block.y + kBlockEdge * in_block.z));
+           value(block, in_block.x + kBlockEdge * (in_block.y + kBlockEdge * in_block.z));
   }
   return sum;
 }

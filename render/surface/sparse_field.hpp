@@ -5,9 +5,10 @@
 // liquid is known to be inside and keeps no values. Node index within a block: x + 8 y + 64 z.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "render/surface/coverage.hpp"
@@ -41,18 +42,18 @@ class SparseField {
     return block == kNoBlock ? BlockSide::kOutside : sides_[block];
   }
 
-  /// Field at one node of a block, which may be kNoBlock.
-  float value(std::uint32_t block, int node) const {
-    if (block == kNoBlock)
-      return 0.0f;
-    return slots_[block] == kNoBlock ? 1.0f
-                                     : values_[std::size_t(slots_[block]) * kBlockNodes + node];
-  }
+  /// A block and its 26 neighbours, or kNoBlock: x + 3 y + 9 z, the block itself at 13.
+  using Around = std::array<std::uint32_t, 27>;
+  Around around(std::uint32_t block) const;
+
+  /// Field at the nodes of a block, which may be kNoBlock.
+  const float* values(std::uint32_t block) const;
+  float value(std::uint32_t block, int node) const { return values(block)[node]; }
 
   /// Field at a point, by trilinear interpolation.
-  /// @param block where the point is thought to lie
+  /// @param near  a block and its neighbours; the point is thought to lie among them
   /// @param point relative to that block's first node, in cells
-  float sample(std::uint32_t block, const glm::vec3& point) const;
+  float sample(const Around& near, const glm::vec3& point) const;
 
  private:
   void find_blocks(const ParticleBins& bins);
@@ -63,7 +64,7 @@ class SparseField {
   std::vector<std::uint64_t> keys_;
   std::vector<BlockSide> sides_;
   std::vector<std::uint32_t> slots_;  ///< where a block's values are; kNoBlock: deep inside, all 1
-  std::vector<float> values_;
+  std::unique_ptr<float[]> values_;
 };
 
 }  // namespace spindrift::surface

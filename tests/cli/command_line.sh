@@ -84,6 +84,9 @@ case $part in
     expect 2 "-1 is out of range; accepted: 1e-06 ... 100 m" check "$folder/scene.json"
     scene_with '{"fluid": '
     expect 2 "scene.json:2:1: not valid JSON" check "$folder/scene.json"
+    __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null \
+      expect 3 "libgl1-mesa-dri" render scenes/dam_break.json --frames 0:0 -o "$folder/no_egl"
+    __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 "none: no EGL device" info
     expect 2 "--set fluid.spacing=wide" check scenes/dam_break.json --set fluid.spacing=wide
     ;;
   info)

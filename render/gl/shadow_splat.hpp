@@ -1,0 +1,31 @@
+// How much liquid a mesh puts in the light's way, on a map of the floor.
+#pragma once
+
+#include <vector>
+
+#include "render/gl/frame.hpp"
+#include "render/mesh.hpp"
+
+namespace spindrift::gl {
+
+/// Adds up the liquid between light and floor, m along the light, on a map of width x height
+/// texels. The surface's triangles are about as small as a texel, and the map is blurred later: so
+/// each one is a drop of its area and height that falls on four texels, which costs a tenth of
+/// drawing it. Larger triangles are divided.
+class ShadowSplat {
+ public:
+  ShadowSplat(int width, int height, const glm::mat4& world_to_shadow, glm::vec3 light,
+              float floor);
+  /// The map for a closed surface, rows from its bottom.
+  const std::vector<float>& measure(const Mesh& liquid);
+
+ private:
+  void add(glm::vec3 a, glm::vec3 b, glm::vec3 c);
+
+  int width_, height_;
+  glm::mat4 to_texels_;  ///< z: way along the light to the floor
+  std::vector<glm::vec3> places_;
+  std::vector<float> blocked_;
+};
+
+}  // namespace spindrift::gl

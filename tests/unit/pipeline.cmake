@@ -1,5 +1,0 @@
-spindrift_test(pipeline spindrift_app unit/pipeline_test.cpp)
-spindrift_test(golden spindrift_app golden/scenes_test.cpp)
-target_compile_definitions(test_golden PRIVATE RESULT_DIR="${CMAKE_CURRENT_BINARY_DIR}")
-add_test(NAME "cli: interrupt" COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/cli/interrupt.sh $<TARGET_FILE:spindrift>)
-set_tests_properties("cli: interrupt" PROPERTIES TIMEOUT 120)
