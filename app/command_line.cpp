@@ -183,7 +183,8 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
       ->type_name("FIRST:LAST");
   render
       ->add_option("--from-particles", typed.from_particles,
-                   "Draw the particles exported to this folder; nothing is simulated")
+                   "Draw the particles that a run kept in this folder (its particles/HASH); "
+                   "nothing is simulated")
       ->type_name("DIR");
 
   CLI::App* simulate = app.add_subcommand("simulate", "Simulate a scene and keep its particles");

@@ -231,18 +231,28 @@ struct Simulation::Impl {
   }
 
   /// Particles that start too dense, as where volumes overlap, are not forced apart in one step,
-  /// which no step could be small enough for: a step has to take away a tenth of what is beyond the
-  /// tolerance.
+  /// which no step could be small enough for: until they are within the tolerances, a step has to
+  /// take away a hundredth of their compression.
   void note_overlap() {
-    const float tolerance = settings.solver.max_compression;
     const float* ratio = particles.density_ratio.data();
     float* excess = particles.excess.resized(particles.count);
     const Totals t = executor.reduce<Totals>("overlap", particles.count, [=](std::uint32_t i) {
-      excess[i] = 0.9f * std::max(0.f, ratio[i] - 1 - tolerance);
-      return Totals{.max_compression = ratio[i] - 1};
+      const float compression = std::max(0.f, ratio[i] - 1);
+      excess[i] = 0.99f * compression;
+      return Totals{.compression = compression, .max_compression = compression};
     });
-    densest = std::max(1.f, 1 + t.max_compression);
-    particles.overlapping = t.max_compression > 1.01f * tolerance;
+    densest = 1 + t.max_compression;
+    particles.overlapping =
+        t.max_compression > 1.01f * settings.solver.max_compression ||
+        t.compression > 1.01 * double{settings.solver.mean_compression} * particles.count;
+  }
+
+  void find_overlap() {
+    if (settings.solver.type != SolverType::pcisph)
+      return;
+    FrameStatistics unused;
+    measure(unused);
+    note_overlap();
   }
 
   /// Recomputes the density from the positions with the full neighbourhood, and the energies.
@@ -275,11 +285,8 @@ struct Simulation::Impl {
 
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
     FrameStatistics statistics;
-    if (time_step.last() == 0 && time == 0) {
-      measure(statistics);
-      if (settings.solver.type == SolverType::pcisph)
-        note_overlap();
-    }
+    if (time_step.last() == 0)
+      find_overlap();
     const double tiny = 1e-9 * std::max(1.0, std::abs(end));
     while (end - time > tiny) {
       if (stop != nullptr && *stop)
@@ -295,6 +302,8 @@ struct Simulation::Impl {
     }
     time = end;
     measure(statistics);
+    if (particles.overlapping)
+      note_overlap();
     return statistics;
   }
 };
@@ -325,6 +334,7 @@ Simulation::Simulation(const Settings& settings, const Frame& start)
   impl_->max_speed = std::sqrt(squared_speed);
   impl_->time = start.time;
   impl_->time_step.set_last(start.last_time_step);
+  impl_->find_overlap();
 }
 
 Simulation::~Simulation() = default;
