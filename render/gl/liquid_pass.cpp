@@ -32,9 +32,10 @@ LiquidPass::LiquidPass(int width, int height)
     : width_((width + 1) / 2),
       height_((height + 1) / 2),
       thickness_program_(make_program(shaders::surface_vert, shaders::thickness_frag)),
-      surface_program_(make_program(shaders::obstacle_vert, shaders::surface_normal_frag)),
-      shading_program_(make_program(shaders::fullscreen_vert, shaders::liquid_frag)),
-      surfaces_(GL_RGB10_A2, width, height),
+      liquid_normal_program_(make_program(shaders::surface_vert, shaders::normal_liquid_frag)),
+      obstacle_normal_program_(make_program(shaders::obstacle_vert, shaders::normal_obstacle_frag)),
+      shading_program_(make_program(shaders::tiles_vert, shaders::liquid_frag)),
+      surfaces_(GL_RGBA8, width, height),
       thickness_(make_texture(GL_R32F, width_, height_)),
       no_obstacles_(make_texture(GL_R32F, 1, 1)) {
   glNamedFramebufferTexture(thickness_target_, GL_COLOR_ATTACHMENT0, thickness_, 0);
@@ -65,23 +66,22 @@ void LiquidPass::outline(const MeshBuffers& liquid, const MeshBuffers* obstacles
                          bool above_floor) const {
   surfaces_.begin();
   glClear(GL_COLOR_BUFFER_BIT);
-  glUseProgram(surface_program_);
   if (obstacles) {
-    glProgramUniform1f(surface_program_, 0, 1.f / 3.f);
+    glUseProgram(obstacle_normal_program_);
     if (above_floor) {
       glEnable(GL_CLIP_DISTANCE0);
     }
     obstacles->draw();
     glDisable(GL_CLIP_DISTANCE0);
   }
-  glProgramUniform1f(surface_program_, 0, 1.f);
+  glUseProgram(liquid_normal_program_);
   glEnable(GL_CULL_FACE);
   liquid.draw();
   glDisable(GL_CULL_FACE);
 }
 
-void LiquidPass::shade(const Picture& picture, const TextureView& behind,
-                       bool has_obstacles) const {
+void LiquidPass::shade(const Picture& picture, const TextureView& behind, bool has_obstacles,
+                       Tiles& tiles) const {
   picture.bind();
   glBindTextureUnit(0, thickness_);
   glBindTextureUnit(1, behind);
@@ -89,11 +89,10 @@ void LiquidPass::shade(const Picture& picture, const TextureView& behind,
   glBindTextureUnit(3, surfaces_.depth());
   glUseProgram(shading_program_);
   glProgramUniform1i(shading_program_, 0, has_obstacles);
-  glBindVertexArray(no_attributes_);
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  tiles.draw();
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
 }

@@ -6,6 +6,7 @@
 
 #include "render/gl/canvas.hpp"
 #include "render/gl/mesh_buffers.hpp"
+#include "render/gl/tiles.hpp"
 
 namespace spindrift::gl {
 
@@ -19,9 +20,10 @@ class LiquidPass {
   /// Notes the nearest surfaces of the liquid and the obstacles (null: there are none), the latter
   /// without what is under the floor when `above_floor` is set.
   void outline(const MeshBuffers& liquid, const MeshBuffers* obstacles, bool above_floor) const;
-  /// Lights the surfaces noted last, over `picture`; `behind` is what is seen through the liquid,
-  /// sRGB-encoded.
-  void shade(const Picture& picture, const TextureView& behind, bool has_obstacles) const;
+  /// Lights the surfaces noted last, over `picture`, in the tiles they touch; `behind` is what is
+  /// seen through the liquid, sRGB-encoded.
+  void shade(const Picture& picture, const TextureView& behind, bool has_obstacles,
+             Tiles& tiles) const;
   const MultisampleTexture& depth() const { return surfaces_.depth(); }
 
  private:
@@ -36,9 +38,8 @@ class LiquidPass {
   };
 
   int width_, height_;  ///< of the thickness map: half the picture's
-  Program thickness_program_, surface_program_, shading_program_;
+  Program thickness_program_, liquid_normal_program_, obstacle_normal_program_, shading_program_;
   Samples surfaces_;
-  VertexArray no_attributes_;
   Texture thickness_, no_obstacles_;
   Framebuffer thickness_target_;
   std::optional<ObstacleRange> obstacle_range_;

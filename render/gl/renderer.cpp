@@ -28,13 +28,16 @@ std::string driver_string(GLenum name) {
 struct Obstacles {
   Program program = make_program(shaders::obstacle_vert, shaders::obstacle_frag);
   MeshBuffers mesh;
+  Mesh shape;
 };
 
 struct Liquid {
-  Liquid(int width, int height) : behind(width, height), pass(width, height) {}
+  Liquid(int width, int height)
+      : behind(width, height), pass(width, height), tiles(width, height) {}
   MeshBuffers mesh;
   Behind behind;
   LiquidPass pass;
+  Tiles tiles;
 };
 
 struct Particles {
@@ -70,6 +73,7 @@ class Drawing {
       obstacles_.emplace();
     }
     obstacles_->mesh.set(mesh);
+    obstacles_->shape = mesh;
     for (const glm::vec3& vertex : mesh.vertices) {
       casters_.min = glm::min(casters_.min, vertex);
       casters_.max = glm::max(casters_.max, vertex);
@@ -87,11 +91,16 @@ class Drawing {
     liquid_->pass.measure(liquid_->mesh, obstacles);
     liquid_->pass.outline(liquid_->mesh, obstacles, floor_is_seen(view));
 
-    picture_.bind();
-    surroundings(view).draw(shadow);
+    surroundings(view).draw_on(picture_, uniforms_, shadow, shadow_area(light_, stage_, casters_));
     liquid_->behind.begin(picture_);
     draw_obstacles(view);
-    liquid_->pass.shade(picture_, liquid_->behind.encoded(), obstacles_.has_value());
+    liquid_->tiles.clear();
+    liquid_->tiles.add(mesh, uniforms_.world_to_clip);
+    if (obstacles_) {
+      liquid_->tiles.add(obstacles_->shape, uniforms_.world_to_clip);
+    }
+    liquid_->pass.shade(picture_, liquid_->behind.encoded(), obstacles_.has_value(),
+                        liquid_->tiles);
     return finish(liquid_->pass.depth());
   }
 
@@ -121,9 +130,9 @@ class Drawing {
 
  private:
   void begin(const View& view) {
-    const FrameUniforms frame =
+    uniforms_ =
         frame_uniforms(view, look_, light_, stage_, casters_, picture_.width(), picture_.height());
-    upload(frame_, std::span(&frame, 1));
+    upload(frame_, std::span<const FrameUniforms>(&uniforms_, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
@@ -153,7 +162,7 @@ class Drawing {
     return look_.floor && view.position.y > stage_.min.y;
   }
 
-  const Surroundings& surroundings(const View& view) {
+  Surroundings& surroundings(const View& view) {
     std::optional<Surroundings>& wanted = floor_is_seen(view) ? floor_ : backdrop_;
     if (!wanted) {
       wanted.emplace(floor_is_seen(view));
@@ -188,6 +197,7 @@ class Drawing {
   Bounds casters_;
   Picture picture_;
   Buffer frame_;
+  FrameUniforms uniforms_{};
   std::optional<Surroundings> backdrop_, floor_;
   std::optional<Edges> edges_;
   std::optional<Obstacles> obstacles_;

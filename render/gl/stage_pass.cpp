@@ -1,6 +1,8 @@
 #include "render/gl/stage_pass.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "shaders.hpp"
 
@@ -17,6 +19,35 @@ void fill_picture(const Program& program, const VertexArray& no_attributes) {
   glEnable(GL_DEPTH_TEST);
 }
 
+/// A rectangle of pixels.
+struct Part {
+  glm::ivec2 low, high;
+};
+
+/// Where in the picture an area of the floor may be seen.
+Part part_of_picture(const ShadowArea& area, const FrameUniforms& frame, glm::ivec2 size) {
+  const Part all{{0, 0}, size};
+  Part part{size, {0, 0}};
+  for (int i = 0; i < 4; ++i) {
+    const glm::vec4 corner((i & 1) ? area.max.x : area.min.x, frame.stage_min.y,
+                           (i & 2) ? area.max.y : area.min.y, 1.f);
+    const glm::vec4 clip = frame.world_to_clip * corner;
+    if (clip.z <= -clip.w) {
+      return all;  // it reaches behind the eye
+    }
+    const glm::vec2 place = glm::clamp(0.5f + 0.5f * glm::vec2(clip) / clip.w, 0.f, 1.f);
+    const glm::ivec2 pixel(place * glm::vec2(size));
+    part.low = glm::min(part.low, pixel - 1);
+    part.high = glm::max(part.high, pixel + 2);
+  }
+  return {glm::max(part.low, 0), glm::min(part.high, size)};
+}
+
+void copy_texture(const Texture& from, const Texture& to, glm::ivec2 size) {
+  glCopyImageSubData(from, GL_TEXTURE_2D, 0, 0, 0, 0, to, GL_TEXTURE_2D, 0, 0, 0, 0, size.x, size.y,
+                     1);
+}
+
 }  // namespace
 
 Surroundings::Surroundings(bool floor)
@@ -30,6 +61,33 @@ Surroundings::Surroundings(bool floor)
 void Surroundings::draw(const Texture* shadow) const {
   glBindTextureUnit(0, shadow ? *shadow : no_shadow_);
   fill_picture(program_, no_attributes_);
+}
+
+void Surroundings::draw_on(const Picture& picture, const FrameUniforms& frame,
+                           const Texture* shadow, const ShadowArea& area) {
+  picture.bind();
+  if (!last_ || std::memcmp(&*last_, &frame, sizeof frame) != 0) {
+    last_ = frame;
+    kept_.reset();
+    draw(shadow);
+    return;
+  }
+  const glm::ivec2 size(picture.width(), picture.height());
+  if (kept_) {
+    copy_texture(*kept_, picture.texture(), size);
+  } else {
+    draw(nullptr);
+    kept_ = make_texture(GL_SRGB8_ALPHA8, size.x, size.y);
+    copy_texture(picture.texture(), *kept_, size);
+  }
+  if (shadow) {
+    const Part part = part_of_picture(area, frame, size);
+    glScissor(part.low.x, part.low.y, std::max(part.high.x - part.low.x, 0),
+              std::max(part.high.y - part.low.y, 0));
+    glEnable(GL_SCISSOR_TEST);
+    draw(shadow);
+    glDisable(GL_SCISSOR_TEST);
+  }
 }
 
 Edges::Edges() : program_(make_program(shaders::edges_vert, shaders::edges_frag)) {}

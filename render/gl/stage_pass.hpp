@@ -1,7 +1,10 @@
 // The stage: backdrop, floor, edges of the domain box.
 #pragma once
 
-#include "render/gl/gl_objects.hpp"
+#include <optional>
+
+#include "render/gl/canvas.hpp"
+#include "render/gl/frame.hpp"
 
 namespace spindrift::gl {
 
@@ -9,14 +12,20 @@ namespace spindrift::gl {
 class Surroundings {
  public:
   explicit Surroundings(bool floor);
-  /// Fills the picture; to be drawn first. `shadow` is the light on the floor; null: all of it
-  /// arrives.
+  /// Fills what is being drawn on; to be drawn first. `shadow` is the light on the floor; null: all
+  /// of it arrives.
   void draw(const Texture* shadow) const;
+  /// Fills the picture with the same bytes. As long as the view is still, only the part that
+  /// `area` covers on the floor is drawn anew, the rest is kept.
+  void draw_on(const Picture& picture, const FrameUniforms& frame, const Texture* shadow,
+               const ShadowArea& area);
 
  private:
   Program program_;
   VertexArray no_attributes_;
   Texture no_shadow_;
+  std::optional<FrameUniforms> last_;  ///< of the picture drawn last
+  std::optional<Texture> kept_;        ///< how `last_` looks without a shadow
 };
 
 class Edges {
