@@ -237,7 +237,7 @@ class Pipeline {
                            kept->frame);
         }
         progress.show("simulating", ++record_.frames_finished);
-      } else if (!hand_over({number, std::move(kept->frame)})) {
+      } else if (!particles_.push({number, std::move(kept->frame)})) {
         return;
       }
     }
@@ -247,8 +247,6 @@ class Pipeline {
     const StageTimer timer(record_.stage_seconds["simulate"]);
     return source.next(number);
   }
-
-  bool hand_over(NumberedParticles particles) { return particles_.push(std::move(particles)); }
 
   void draw_all() {
     if (options_.threads > 0)

@@ -35,14 +35,13 @@ struct PlainResult {
 PlainResult plain_step(const Settings& s, double dt, int iterations, double relaxation) {
   const InitialParticles start = fill_volumes(s);
   const std::size_t n = start.positions.size();
-  const double d = s.fluid.spacing, rho = s.fluid.rest_density;
+  const double rho = s.fluid.rest_density;
   const float radius = 2 * s.fluid.spacing;
   const CubicKernel kernel(radius);
   const double volume = 1 / lattice_kernel_sum(kernel, s.fluid.spacing, radius);
   const double delta = relaxation * rho /
                        (dt * dt * volume * volume *
                         lattice_gradient_product(kernel, kernel, s.fluid.spacing, radius));
-  (void)d;
   PlainResult r;
   std::vector<dvec3> drifted(n), acceleration(n), corrected(n);
   for (std::size_t i = 0; i < n; ++i)
