@@ -1,6 +1,7 @@
 #include "sim/boundary.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/contact.hpp"
 #include "sim/lattice.hpp"
@@ -61,15 +62,19 @@ void place_sentinel(VectorField& field, std::uint32_t n) {
 Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
   const float spacing = settings.fluid.spacing;
   std::vector<glm::vec3> samples = sample_walls(settings.domain, spacing);
+  const std::size_t wall_count = samples.size();
   for (const Obstacle& obstacle : settings.obstacles) {
     const auto more = sample_surface(obstacle.shape, spacing);
     samples.insert(samples.end(), more.begin(), more.end());
   }
   // Samples of obstacles beyond the walls are never near any liquid.
   const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
-  std::erase_if(samples, [&](glm::vec3 p) {
-    return glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high));
-  });
+  samples.erase(std::remove_if(
+                    samples.begin() + static_cast<std::ptrdiff_t>(wall_count), samples.end(),
+                    [&](glm::vec3 p) {
+                      return glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high));
+                    }),
+                samples.end());
   count_ = static_cast<std::uint32_t>(samples.size());
 
   VectorField unsorted;
@@ -79,33 +84,54 @@ Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
   grid_.sort(map, unsorted.view(), count_);
 
   position_.resize(count_);
-  volume_.resize(count_);
   for (std::uint32_t i = 0; i < count_; ++i)
     position_.view().set(i, unsorted.view()[grid_.order()[i]]);
   place_sentinel(position_, count_);
 
   const CubicKernel kernel(radius);
-  const float factor = flat_layer_factor(kernel, spacing, radius);
-  NeighbourLists lists;
-  lists.build(map, grid_, position_.view(), count_, grid_, position_.view(), count_, radius);
-  const Vec3Arrays position = position_.view();
-  for (std::uint32_t i = 0; i < count_; ++i) {
-    const Vec3<float> xi = position[i];
-    const float sum = lists.view().sum(i, [&](auto j) {
-      const auto d = xi - position[j];
-      return kernel.value(square_root(dot(d, d)));
-    });
-    volume_[i] = factor / sum;
-  }
-  measure_solids(settings, kernel, radius);
+  measure_volumes(settings, map, kernel, wall_count);
+  measure_solids(settings, kernel, wall_count);
   pressure_.resize(count_);
   step_pressure_.resize(count_);
+}
+
+/// V_b = 1/ΣW (Akinci et al. 2012, eq. 4) times a factor that makes it right for a flat layer. On
+/// the walls of the domain, whose samples form a lattice that is bent at the edges, ΣW over the
+/// wall itself cancels out, so that a lattice of liquid has the rest density in edges and corners
+/// too.
+void Boundary::measure_volumes(const Settings& settings, const GridMap& map,
+                               const CubicKernel& kernel, std::size_t wall_count) {
+  const float radius = 1 / kernel.inverse_radius;
+  const float spacing = settings.fluid.spacing;
+  const float factor = flat_layer_factor(kernel, spacing, radius);
+  const auto lattice = static_cast<float>(1 / lattice_kernel_sum(kernel, spacing, radius));
+  const glm::vec3 step = wall_lattice_step(settings.domain, spacing) / spacing;
+  const float wall_volume = lattice * std::pow(step.x * step.y * step.z, 2.f / 3);
+  NeighbourLists lists;
+  lists.build(map, grid_, position_.view(), count_, grid_, position_.view(), count_, radius);
+  const NeighbourView view = lists.view();
+  const Vec3Arrays position = position_.view();
+  volume_.resize(count_);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const Vec3<float> xi = position[i];
+    const std::uint32_t* j = view.first[i];
+    float all = 0, own = 0;
+    for (std::uint32_t left = view.batches[i] * lane_count; left > 0; --left, ++j) {
+      const Vec3<float> d = xi - position[*j];
+      const float w = kernel.value(square_root(dot(d, d)));
+      all += w;
+      own += *j < count_ && grid_.order()[*j] < wall_count ? w : 0.f;
+    }
+    volume_[i] = grid_.order()[i] < wall_count ? wall_volume * own / all : factor / all;
+  }
 }
 
 /// A sample's solid makes up for what the liquid does not when it is at rest around it: at a flat
 /// wall the known lattice sum, elsewhere (edges, corners, curved obstacles) that in proportion to
 /// the free space.
-void Boundary::measure_solids(const Settings& settings, const CubicKernel& kernel, float radius) {
+void Boundary::measure_solids(const Settings& settings, const CubicKernel& kernel,
+                              std::size_t wall_count) {
+  const float radius = 1 / kernel.inverse_radius;
   const float spacing = settings.fluid.spacing;
   const double flat =
       free_part(kernel, radius, [&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
@@ -115,22 +141,32 @@ void Boundary::measure_solids(const Settings& settings, const CubicKernel& kerne
                             {settings.domain.max.x, settings.domain.max.y, settings.domain.max.z},
                             settings.obstacles.data(),
                             settings.obstacles.size()};
+  const ContactView walls{contact.min, contact.max, nullptr, 0};
   solid_.resize(count_);
   const Vec3Arrays position = position_.view();
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::uint32_t i = 0; i < count_; ++i) {
     const Vec3<float> xi = position[i];
-    const double open = free_part(kernel, radius, [&](const Vec3<float>& p) {
+    const auto is_free = [&](const Vec3<float>& p) {
       const Vec3<float> moved = contact.resolve(xi + p) - (xi + p);
       return dot(moved, moved) == 0;
-    });
+    };
     double lattice = 0;
     for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
-      const Vec3<float> moved = contact.resolve(xi + p) - (xi + p);
-      if (dot(moved, moved) == 0)
+      if (is_free(p))
         lattice += kernel.value(square_root(dot(p, p)));
     });
-    solid_[i] = 1 - static_cast<float>(std::max(share * open / flat, volume * lattice));
+    const double open = free_part(kernel, radius, is_free);
+    // Liquid lies as a lattice along the walls of the domain, edges and corners included.
+    const bool at_bare_wall =
+        grid_.order()[i] < wall_count &&
+        (settings.obstacles.empty() || open == free_part(kernel, radius, [&](const Vec3<float>& p) {
+                                         const Vec3<float> moved = walls.resolve(xi + p) - (xi + p);
+                                         return dot(moved, moved) == 0;
+                                       }));
+    const double liquid =
+        at_bare_wall ? volume * lattice : std::max(share * open / flat, volume * lattice);
+    solid_[i] = 1 - static_cast<float>(liquid);
   }
 }
 

@@ -25,7 +25,9 @@ class Boundary {
   std::size_t memory_bytes() const;
 
  private:
-  void measure_solids(const Settings& settings, const CubicKernel& kernel, float radius);
+  void measure_volumes(const Settings& settings, const GridMap& map, const CubicKernel& kernel,
+                       std::size_t wall_count);
+  void measure_solids(const Settings& settings, const CubicKernel& kernel, std::size_t wall_count);
 
   std::uint32_t count_ = 0;
   VectorField position_;       ///< m

@@ -44,8 +44,8 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
     for (int c = 0; c < 3; ++c)
       permute(field->component(c));
   permute(particles.pressure);
-  if (particles.overlapping)
-    permute(particles.excess);
+  if (!particles.compression.empty())
+    permute(particles.compression);
   for (std::uint32_t i = 0; i < n; ++i)
     scratch_ids_[i] = particles.ids[order[i]];
   particles.ids.swap(scratch_ids_);

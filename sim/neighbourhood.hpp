@@ -16,6 +16,7 @@ class Neighbourhood {
   /// velocities.
   void update(Executor& executor, Particles& particles, float radius);
 
+  const CellGrid& grid() const { return grid_; }
   NeighbourView fluid() const { return fluid_.view(); }
   BoundaryView boundary() {
     return {.position = boundary_.positions(),

@@ -17,11 +17,13 @@ class ScalarField {
  public:
   void resize(std::uint32_t n) { values_.resize(n + 2 * lane_count, 0.f); }
   float* data() { return values_.data(); }
+  const float* data() const { return values_.data(); }
   /// The data of n elements; those that were there keep their values.
   float* resized(std::uint32_t n) {
     resize(n);
     return data();
   }
+  bool empty() const { return values_.empty(); }
   float& operator[](std::uint32_t i) { return values_[i]; }
   float operator[](std::uint32_t i) const { return values_[i]; }
   void fill(float value) { std::fill(values_.begin(), values_.end(), value); }
@@ -65,8 +67,9 @@ struct Particles {
   VectorField velocity;  ///< m/s, over the last step (leapfrog: at the middle of that step)
   ScalarField pressure;  ///< Pa, of the last step
   std::vector<std::uint32_t> ids;  ///< number in the initial lattice
-  bool overlapping = false;        ///< the particles are too dense yet, and `excess` is in use
-  ScalarField excess;              ///< compression that the next step may leave as it is
+  /// ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there is pressure. Only
+  /// with a solver that corrects it; empty else.
+  ScalarField compression;
 
   // Within a step.
   VectorField drifted_position;    ///< where particles are about to be, but for pressure, m
@@ -75,6 +78,7 @@ struct Particles {
   VectorField corrected_position;  ///< with pressure, m
   ScalarField density_ratio;       ///< ρ/ρ₀
   ScalarField step_pressure;       ///< the iterate of this step, Pa
+  ScalarField excess;              ///< compression that this step may leave as it is
 
   void resize(std::uint32_t n) {
     count = n;
@@ -87,8 +91,8 @@ struct Particles {
   }
 
   std::size_t memory_bytes() const {
-    return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() + excess.memory_bytes() +
-           ids.capacity() * sizeof(std::uint32_t);
+    return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() + compression.memory_bytes() +
+           excess.memory_bytes() + ids.capacity() * sizeof(std::uint32_t);
   }
 };
 

@@ -46,9 +46,14 @@ std::vector<glm::vec3> fill_centred(const Box& bounds, glm::vec3 center, float d
   return points;
 }
 
-/// Surface of a box of points: a lattice stretched to end exactly at both corners.
+/// How many steps of a lattice stretched to end exactly at both corners of a box.
+glm::ivec3 steps_across(glm::vec3 size, float d) {
+  return glm::max(glm::ivec3(glm::round(size / d)), glm::ivec3(1));
+}
+
+/// Surface of a box of points.
 std::vector<glm::vec3> box_surface(glm::vec3 min, glm::vec3 max, float d) {
-  const glm::ivec3 n = glm::max(glm::ivec3(glm::round((max - min) / d)), glm::ivec3(1));
+  const glm::ivec3 n = steps_across(max - min, d);
   const glm::vec3 step = (max - min) / glm::vec3(n);
   std::vector<glm::vec3> points;
   for (int k = 0; k <= n.z; ++k)
@@ -148,6 +153,11 @@ std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing) {
 
 std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing) {
   return box_surface(domain.min - 0.5f * spacing, domain.max + 0.5f * spacing, spacing);
+}
+
+glm::vec3 wall_lattice_step(const DomainSettings& domain, float spacing) {
+  const glm::vec3 size = domain.max - domain.min + spacing;
+  return size / glm::vec3(steps_across(size, spacing));
 }
 
 Box bounds_of(const Shape& shape) {

@@ -19,6 +19,9 @@ std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing);
 /// aligned with the liquid's where the domain is a whole number of spacings wide, m.
 std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing);
 
+/// Distance between neighbouring samples of the walls along x, y and z, m; about the spacing.
+glm::vec3 wall_lattice_step(const DomainSettings& domain, float spacing);
+
 /// The smallest box around a shape.
 Box bounds_of(const Shape& shape);
 

@@ -62,9 +62,11 @@ struct Totals {
 struct Motion {
   float squared_speed = 0;
   std::int64_t contacts = 0;
+  double squared_pressure = 0;
   void join(const Motion& o) {
     squared_speed = std::max(squared_speed, o.squared_speed);
     contacts += o.contacts;
+    squared_pressure += o.squared_pressure;
   }
 };
 
@@ -92,8 +94,13 @@ struct Simulation::Impl {
   TimeStepControl time_step;
   double time = 0;
   float max_speed = 0;
+  double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
-  float densest = 1;  ///< largest density ratio while particles overlap
+  bool overlapping = false;    ///< particles are far too dense yet
+  float densest = 1;           ///< largest density ratio while they are
+  double left_to_release = 0;  ///< mean compression of theirs that is allowed yet
+  float kept_overlap = 1;      ///< part of it that this step may leave
+  float release_share = 1;     ///< of it in the compression that there is
 
   Impl(const Settings& s, const InitialParticles& initial)
       : settings(s),
@@ -133,7 +140,7 @@ struct Simulation::Impl {
 
   /// One accepted step of at most dt; returns its length, s.
   double step(double dt, FrameStatistics& statistics) {
-    for (;; dt = time_step.refused(dt), ++statistics.rejected_steps) {
+    for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
       drift(dt);
       neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
       const StepContext context{.executor = executor,
@@ -141,11 +148,15 @@ struct Simulation::Impl {
                                 .constants = constants,
                                 .neighbours = neighbourhood.fluid(),
                                 .boundary = neighbourhood.boundary(),
+                                .grid = &neighbourhood.grid(),
+                                .map = &map,
                                 .contact = contact(),
                                 .time_step = static_cast<float>(dt),
+                                .refusals = refusals,
                                 .kick = kick(dt),
-                                .excess = particles.overlapping ? particles.excess.data() : nullptr,
-                                .densest = particles.overlapping ? densest : 1};
+                                .excess = corrects_density() ? allow_excess(dt, refusals) : nullptr,
+                                .overlapping = overlapping,
+                                .densest = overlapping ? densest : 1};
       if (constants.viscosity > 0)
         apply_viscosity(context);
       const StepResult result = solver->solve(context);
@@ -219,40 +230,80 @@ struct Simulation::Impl {
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * new_pressure[i];
-          return Motion{dot(velocity, velocity), dot(push, push) > 0};
+          return Motion{dot(velocity, velocity), dot(push, push) > 0,
+                        double{pressure[i]} * pressure[i]};
         });
+    mean_pressure = std::sqrt(motion.squared_pressure / particles.count);
     const BoundaryView& solid = s.boundary;
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
-    if (particles.overlapping)
-      note_overlap();
+    note_compression(true);
     return motion.contacts + drift_contacts;
   }
 
-  /// Particles that start too dense, as where volumes overlap, are not forced apart in one step,
-  /// which no step could be small enough for: until they are within the tolerances, a step has to
-  /// take away a hundredth of their compression.
-  void note_overlap() {
-    const float* ratio = particles.density_ratio.data();
-    float* excess = particles.excess.resized(particles.count);
-    const Totals t = executor.reduce<Totals>("overlap", particles.count, [=](std::uint32_t i) {
-      const float compression = std::max(0.f, ratio[i] - 1);
-      excess[i] = 0.99f * compression;
-      return Totals{.compression = compression, .max_compression = compression};
+  bool corrects_density() const { return settings.solver.type == SolverType::pcisph; }
+
+  /// What the last step left over of compression. Where particles overlap, the share of it that the
+  /// next step may leave as well: what steps add within their tolerance must not add up.
+  void note_compression(bool in_step) {
+    if (!corrects_density())
+      return;
+    const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
+    float* compression = particles.compression.resized(particles.count);
+    const Totals t = executor.reduce<Totals>("compression", particles.count, [=](std::uint32_t i) {
+      const float c = ratio[i] - 1, above = std::max(0.f, c);
+      compression[i] = pressure[i] > 0 ? c : above;
+      return Totals{.compression = above, .max_compression = above};
     });
     densest = 1 + t.max_compression;
-    particles.overlapping =
-        t.max_compression > 1.01f * settings.solver.max_compression ||
-        t.compression > 1.01 * double{settings.solver.mean_compression} * particles.count;
+    const double mean = t.compression / particles.count;
+    left_to_release =
+        in_step && overlapping ? std::min(mean, kept_overlap * left_to_release) : mean;
+    release_share = mean > 0 ? static_cast<float>(left_to_release / mean) : 1;
+    overlapping = t.max_compression > 1.1f * settings.solver.max_compression ||
+                  t.compression > 1.1 * double{settings.solver.mean_compression} * particles.count;
   }
 
-  void find_overlap() {
-    if (settings.solver.type != SolverType::pcisph)
-      return;
+  /// Compression that a step may leave as it is, per particle. What is left over of many particles
+  /// together would, taken away within one step, throw the liquid above them up, the faster the
+  /// shorter the step; it is taken away over the time in which gravity moves a particle by a part
+  /// of its support. Particles that start too dense, as where volumes overlap, are not forced apart
+  /// in one step, which no step could be small enough for, but two hundred times slower, and half
+  /// of that each time that a step is refused.
+  const float* allow_excess(double dt, int refusals) {
+    const float* compression = particles.compression.data();
+    float* excess = particles.excess.resized(particles.count);
+    // Where nothing falls it is taken away over twenty steps.
+    const Vec3<float> a = body_acceleration(settings.forces, time);
+    const double fall = 0.1 * std::sqrt(constants.support_radius / std::sqrt(double{dot(a, a)}));
+    const double share = dt / std::max(dt, std::min(20 * dt, fall));
+    if (overlapping) {
+      kept_overlap = static_cast<float>(1 - 0.005 * share * std::pow(0.5, refusals));
+      const float part = kept_overlap * release_share;
+      executor.for_each("excess", particles.count,
+                        [=](std::uint32_t i) { excess[i] = part * std::max(0.f, compression[i]); });
+      return excess;
+    }
+    const float most = 0.3f * settings.solver.mean_compression;
+    const CellGrid& grid = neighbourhood.grid();
+    executor.for_each(
+        "excess", static_cast<std::uint32_t>(grid.cell_count()), [&](std::uint32_t c) {
+          const std::uint32_t begin = grid.cell_begin(c), end = grid.cell_begin(c + 1);
+          float sum = 0;
+          for (std::uint32_t i = begin; i < end; ++i)
+            sum += compression[i];
+          const float part = std::clamp(
+              (1 - static_cast<float>(share)) * sum / static_cast<float>(end - begin), -most, most);
+          std::fill(excess + begin, excess + end, part);
+        });
+    return excess;
+  }
+
+  void find_compression() {
     FrameStatistics unused;
     measure(unused);
-    note_overlap();
+    note_compression(false);
   }
 
   /// Recomputes the density from the positions with the full neighbourhood, and the energies.
@@ -286,13 +337,14 @@ struct Simulation::Impl {
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
     FrameStatistics statistics;
     if (time_step.last() == 0)
-      find_overlap();
+      find_compression();
     const double tiny = 1e-9 * std::max(1.0, std::abs(end));
     while (end - time > tiny) {
       if (stop != nullptr && *stop)
         return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
-      const double wanted = time_step.next(end - time, max_speed, std::sqrt(dot(a, a)));
+      const double wanted =
+          time_step.next(end - time, max_speed, std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
       statistics.min_time_step =
@@ -302,8 +354,7 @@ struct Simulation::Impl {
     }
     time = end;
     measure(statistics);
-    if (particles.overlapping)
-      note_overlap();
+    note_compression(false);
     return statistics;
   }
 };
@@ -334,7 +385,7 @@ Simulation::Simulation(const Settings& settings, const Frame& start)
   impl_->max_speed = std::sqrt(squared_speed);
   impl_->time = start.time;
   impl_->time_step.set_last(start.last_time_step);
-  impl_->find_overlap();
+  impl_->find_compression();
 }
 
 Simulation::~Simulation() = default;

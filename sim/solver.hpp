@@ -16,13 +16,15 @@ struct StepContext {
   const FluidConstants& constants;
   NeighbourView neighbours;  ///< around the drifted positions
   BoundaryView boundary;
+  const CellGrid* grid;  ///< the cells that the particles are sorted by
+  const GridMap* map;
   ContactView contact;
   float time_step;  ///< Δt, s
+  int refusals;     ///< how often this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
-  /// Compression beyond the tolerance that a particle may keep in this step; null where there is
-  /// none, as always but after a start with overlapping particles.
-  const float* excess;
-  float densest;  ///< largest density ratio of the particles there; 1 where there is no excess
+  const float* excess;  ///< compression that a particle may keep in this step; null: none
+  bool overlapping;  ///< the particles start far too dense; only what goes beyond `excess` counts
+  float densest;     ///< largest density ratio at the start of the step where that is far above 1
 };
 
 struct StepResult {

@@ -36,10 +36,12 @@ TimeStepControl::TimeStepControl(const SolverSettings& settings, const FluidCons
                                  float solver_limit)
     : settings_(settings),
       support_radius_(constants.support_radius),
+      rest_density_(constants.rest_density),
       fixed_limit_(std::min(
           {double{settings.max_time_step}, double{solver_limit}, viscosity_limit(constants)})) {}
 
-double TimeStepControl::next(double remaining, double max_speed, double acceleration) const {
+double TimeStepControl::next(double remaining, double max_speed, double acceleration,
+                             double pressure) const {
   double limit = fixed_limit_;
   if (max_speed > 0)
     limit = std::min(limit, settings_.cfl * support_radius_ / max_speed);
@@ -47,6 +49,11 @@ double TimeStepControl::next(double remaining, double max_speed, double accelera
   // al. 2010).
   if (acceleration > 0)
     limit = std::min(limit, std::sqrt(settings_.cfl * support_radius_ / acceleration));
+  // Pressure's directions are those at the start of the step. Under high pressure, as at the foot
+  // of a tall column, particles that turn around each other in a step are torn apart: their
+  // frequency is √(p/ρ)/d.
+  if (pressure > 0)
+    limit = std::min(limit, 0.15 * support_radius_ / std::sqrt(pressure / rest_density_));
   if (last_ > 0)
     limit = std::min(limit, growth * last_);
   limit = std::max(limit, double{settings_.min_time_step});

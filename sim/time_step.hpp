@@ -16,7 +16,8 @@ class TimeStepControl {
   /// @param remaining    time until the next frame, s
   /// @param max_speed    fastest particle, m/s
   /// @param acceleration largest body acceleration, m/s²
-  double next(double remaining, double max_speed, double acceleration) const;
+  /// @param pressure     root mean square of the pressure, Pa
+  double next(double remaining, double max_speed, double acceleration, double pressure) const;
 
   /// A step was accepted, or refused; after a refusal steps grow back gradually.
   void accepted(double time_step);
@@ -28,6 +29,7 @@ class TimeStepControl {
  private:
   SolverSettings settings_;
   double support_radius_;
+  double rest_density_;
   double fixed_limit_;  ///< smallest of the limits that never change, s
   double last_ = 0;     ///< s
 };

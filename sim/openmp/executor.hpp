@@ -52,6 +52,12 @@ class PhaseClock {
   std::vector<Entry> entries_;
 };
 
+/// A sum to reduce to, in double precision.
+struct Sum {
+  double value = 0;
+  void join(const Sum& other) { value += other.value; }
+};
+
 class Executor {
  public:
   using Index = std::uint32_t;

@@ -1,5 +1,6 @@
 // One PCISPH step on few particles against the algorithm written out plainly in double precision,
 // and what a step must keep to.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -30,8 +31,146 @@ struct PlainResult {
   std::vector<double> pressures, densities;
 };
 
-/// The step as in the paper, every pair visited: drift, then a fixed number of corrections with the
-/// momentum of the accelerated gradient method, then the move.
+/// Solves A x = b by elimination.
+std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double f = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j)
+        a[i][j] -= f * a[k][j];
+      b[i] -= f * b[k];
+    }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j)
+      b[k] -= a[k][j] * b[j];
+    b[k] /= a[k][k];
+  }
+  return b;
+}
+
+/// The cells of the neighbour search that hold particles, and the cell of each.
+struct PlainCells {
+  double size;  ///< m
+  dvec3 origin;
+  std::vector<glm::ivec3> cells;
+  std::vector<std::size_t> cell_of;
+
+  PlainCells(const Settings& s, const std::vector<dvec3>& x)
+      : size(1.05 * 2 * s.fluid.spacing),
+        origin(dvec3(s.domain.min) - double{s.fluid.spacing} - 2 * size) {
+    for (const dvec3& p : x) {
+      const glm::ivec3 c((p - origin) / size);
+      const auto at = std::find(cells.begin(), cells.end(), c);
+      cell_of.push_back(static_cast<std::size_t>(at - cells.begin()));
+      if (at == cells.end())
+        cells.push_back(c);
+    }
+  }
+};
+
+/// The pressure that the cells' equation gives each particle, all particles taken as active:
+/// conductances summed over all pairs, a dense matrix, splines written out.
+std::vector<double> plain_coarse_pressure(const Settings& s, double dt, const std::vector<dvec3>& x,
+                                          const std::vector<double>& residual) {
+  const double radius = 2 * double{s.fluid.spacing};
+  const auto [cell, origin, cells, cell_of] = PlainCells(s, x);
+  const auto shape = [&](double squared) {
+    return squared < radius * radius ? std::pow(1 - squared / (radius * radius), 2) : 0.;
+  };
+  double all = 0, xx = 0, ax = 0;
+  for_lattice_points(s.fluid.spacing, static_cast<float>(radius), [&](const Vec3<float>& p) {
+    const double w = shape(double{dot(p, p)});
+    all += w;
+    xx += w * p.x * p.x;
+    ax += w * std::abs(p.x);
+  });
+  const double scale = 2 / xx;
+  const std::size_t n = cells.size();
+  std::vector<std::vector<double>> matrix(n, std::vector<double>(n, 0.));
+  std::vector<double> lacking(n, 0.), count(n, 0.), sum(n, 0.);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t a = cell_of[i];
+    lacking[a] += all * scale;
+    count[a] += 1;
+    sum[a] += residual[i];
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      const double w = scale * shape(glm::dot(x[i] - x[j], x[i] - x[j]));
+      lacking[a] -= w;
+      matrix[a][a] += cell_of[j] == a ? 0 : w;
+      matrix[a][cell_of[j]] -= cell_of[j] == a ? 0 : w;
+    }
+  }
+  for (std::size_t a = 0; a < n; ++a)
+    matrix[a][a] += std::max(0., lacking[a]) + 1e-4 * all * scale * count[a];
+  std::vector<double> p = solved(matrix, sum), at(x.size(), 0.);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const dvec3 t = (x[i] - origin) / cell - dvec3(cells[cell_of[i]]) - 0.5;
+    const auto spline = [](double u) {
+      u = std::abs(u);
+      return u < 0.5 ? 0.75 - u * u : (u < 1.5 ? 0.5 * (1.5 - u) * (1.5 - u) : 0.);
+    };
+    for (int k = 0; k < 27; ++k) {
+      const glm::ivec3 o(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      const auto other = std::find(cells.begin(), cells.end(), cells[cell_of[i]] + o);
+      const double value =
+          other == cells.end() ? p[cell_of[i]] : p[static_cast<std::size_t>(other - cells.begin())];
+      at[i] += spline(t.x - o.x) * spline(t.y - o.y) * spline(t.z - o.z) * value;
+    }
+    at[i] *= 0.45 * cell * ax / xx * s.fluid.rest_density / (dt * dt);
+  }
+  return at;
+}
+
+/// The part of the compression at the start that the step leaves: 19 parts in 20 of what a cell has
+/// in the mean, as there is no gravity, but at most 0.3 of the tolerance.
+std::vector<double> plain_excess(const Settings& s, const std::vector<dvec3>& start,
+                                 const std::vector<dvec3>& drifted) {
+  const CubicKernel kernel(2 * s.fluid.spacing);
+  const double volume = 1 / lattice_kernel_sum(kernel, s.fluid.spacing, 2 * s.fluid.spacing);
+  const PlainCells grid(s, drifted);
+  std::vector<double> sum(grid.cells.size(), 0.), count(grid.cells.size(), 0.), excess;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    double ratio = 0;
+    for (const dvec3& other : start)
+      ratio += volume * double{kernel.value(static_cast<float>(glm::length(start[i] - other)))};
+    sum[grid.cell_of[i]] += std::max(0., ratio - 1);
+    count[grid.cell_of[i]] += 1;
+  }
+  for (const std::size_t c : grid.cell_of)
+    excess.push_back(std::min(0.95 * sum[c] / count[c], 0.3 * s.solver.mean_compression));
+  return excess;
+}
+
+/// The best combination of the last three iterates, by the normal equations of Anderson's
+/// acceleration.
+void accelerate(std::vector<std::vector<double>> p, std::vector<std::vector<double>> r,
+                std::vector<double>& best_p, std::vector<double>& best_r) {
+  const std::size_t steps = std::min<std::size_t>(p.size() - 1, 2), last = p.size() - 1;
+  best_p = p[last];
+  best_r = r[last];
+  if (steps == 0)
+    return;
+  const auto difference = [&](const std::vector<std::vector<double>>& f, std::size_t k,
+                              std::size_t i) { return f[last - k][i] - f[last - k - 1][i]; };
+  std::vector<std::vector<double>> normal(steps, std::vector<double>(steps, 0.));
+  std::vector<double> right(steps, 0.);
+  for (std::size_t i = 0; i < best_p.size(); ++i)
+    for (std::size_t a = 0; a < steps; ++a) {
+      right[a] += difference(r, a, i) * r[last][i];
+      for (std::size_t b = 0; b < steps; ++b)
+        normal[a][b] += difference(r, a, i) * difference(r, b, i);
+    }
+  const std::vector<double> theta = solved(normal, right);
+  for (std::size_t i = 0; i < best_p.size(); ++i)
+    for (std::size_t a = 0; a < steps; ++a) {
+      best_p[i] -= theta[a] * difference(p, a, i);
+      best_r[i] -= theta[a] * difference(r, a, i);
+    }
+}
+
+/// The step, every pair visited: drift, then a fixed number of corrections, the first of them with
+/// the coarse grid's, then the move.
 PlainResult plain_step(const Settings& s, double dt, int iterations, double relaxation) {
   const InitialParticles start = fill_volumes(s);
   const std::size_t n = start.positions.size();
@@ -39,16 +178,17 @@ PlainResult plain_step(const Settings& s, double dt, int iterations, double rela
   const float radius = 2 * s.fluid.spacing;
   const CubicKernel kernel(radius);
   const double volume = 1 / lattice_kernel_sum(kernel, s.fluid.spacing, radius);
-  const double delta = relaxation * rho /
-                       (dt * dt * volume * volume *
-                        lattice_gradient_product(kernel, kernel, s.fluid.spacing, radius));
+  const double delta = rho / (dt * dt * volume * volume *
+                              lattice_gradient_product(kernel, kernel, s.fluid.spacing, radius));
   PlainResult r;
   std::vector<dvec3> drifted(n), acceleration(n), corrected(n);
   for (std::size_t i = 0; i < n; ++i)
     drifted[i] = dvec3(start.positions[i]) + dt * dvec3(start.velocities[i]);
-  std::vector<double> p(n, 0.), before(n, 0.);
+  std::vector<dvec3> at_start(start.positions.begin(), start.positions.end());
+  const std::vector<double> excess = plain_excess(s, at_start, drifted);
+  std::vector<double> p(n, 0.), best_p, best_r;
+  std::vector<std::vector<double>> iterates, residuals;
   r.densities.resize(n);
-  double t = 1;
   for (int k = 0;; ++k) {
     for (std::size_t i = 0; i < n; ++i) {
       acceleration[i] = dvec3(0);
@@ -70,17 +210,18 @@ PlainResult plain_step(const Settings& s, double dt, int iterations, double rela
     }
     if (k == iterations)
       break;
-    const double t_next = 0.5 * (1 + std::sqrt(1 + 4 * t * t)), weight = (t - 1) / t_next;
-    t = t_next;
-    double progress = 0;
+    iterates.push_back(p);
+    residuals.emplace_back();
+    for (std::size_t i = 0; i < n; ++i)
+      residuals.back().push_back(std::max(r.densities[i] - 1 - excess[i], -p[i] / delta));
+    accelerate(iterates, residuals, best_p, best_r);
+    std::vector<double> coarse(n, 0.);
+    if (k == 0)
+      coarse = plain_coarse_pressure(s, dt, drifted, residuals.back());
     for (std::size_t i = 0; i < n; ++i) {
-      const double next = std::max(0., p[i] + delta * (r.densities[i] - 1));
-      progress += (r.densities[i] - 1) * (next - before[i]);
-      p[i] = std::max(0., next + weight * (next - before[i]));
-      before[i] = next;
+      const double residual = k == 0 ? r.densities[i] - 1 - excess[i] : best_r[i];
+      p[i] = std::max(0., best_p[i] + relaxation * delta * residual + coarse[i]);
     }
-    if (progress < 0)
-      t = 1;
   }
   r.positions = corrected;
   for (std::size_t i = 0; i < n; ++i)
@@ -102,17 +243,18 @@ TEST_CASE("a PCISPH step of few particles is the algorithm's, by hand") {
   REQUIRE(statistics.steps == 1);
   REQUIRE(statistics.iterations == 4);
   const Frame frame = simulation.frame();
-  const PlainResult plain = plain_step(s, dt, 4, 0.36);
-  double largest_pressure = 0;
+  const PlainResult plain = plain_step(s, dt, 4, 0.45);
+  const double largest_pressure = *std::max_element(plain.pressures.begin(), plain.pressures.end());
+  // The coarse grid is solved to a hundredth.
   for (std::size_t i = 0; i < frame.ids.size(); ++i) {
     const std::uint32_t id = frame.ids[i];
     INFO("particle " << id);
-    CHECK(glm::length(dvec3(frame.positions[i]) - plain.positions[id]) < 2e-6);
-    CHECK(glm::length(dvec3(frame.velocities[i]) - plain.velocities[id]) < 1e-3);
-    CHECK(double{frame.pressures[i]} == Approx(plain.pressures[id] * 2).epsilon(2e-3).margin(1));
+    CHECK(glm::length(dvec3(frame.positions[i]) - plain.positions[id]) < 2e-5);
+    CHECK(glm::length(dvec3(frame.velocities[i]) - plain.velocities[id]) < 1e-2);
+    CHECK(double{frame.pressures[i]} ==
+          Approx(plain.pressures[id] * 2).epsilon(1e-2).margin(1e-2 * largest_pressure));
     // The last prediction is where the particles end up: its density is the one measured there.
-    CHECK(double{frame.densities[i]} / 1000 == Approx(plain.densities[id]).epsilon(1e-4));
-    largest_pressure = std::max(largest_pressure, plain.pressures[id]);
+    CHECK(double{frame.densities[i]} / 1000 == Approx(plain.densities[id]).epsilon(2e-4));
   }
   CHECK(largest_pressure > 1000);  // the blocks do push
 }
@@ -159,9 +301,11 @@ TEST_CASE("a tighter tolerance gives a smaller measured error") {
 TEST_CASE(
     "a step that can't converge is repeated smaller, and says so when no step is small enough") {
   Settings s = overlapping_blocks();
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.3f, 0.3f, 0.3f}}, {10, 0, 0}},
+                     {Box{{0.32f, 0, 0}, {0.62f, 0.3f, 0.3f}}, {-10, 0, 0}}};
   s.solver.max_iterations = 1;
   s.solver.max_compression = s.solver.mean_compression = 1e-4f;
-  s.solver.min_time_step = 1e-4f;
+  s.solver.min_time_step = 1e-3f;
   Simulation simulation(s);
   CHECK_THROWS_WITH(simulation.advance_to(0.1), Catch::Contains("solver.min_time_step"));
 }

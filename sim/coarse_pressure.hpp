@@ -1,0 +1,92 @@
+// What particles cannot tell each other quickly. An iteration over particles carries pressure one
+// support radius on; a column of a hundred particles would need a hundred iterations to feel its
+// own weight. On the grid of the neighbour search's cells, nine times fewer unknowns, the same
+// equation is solved across the whole liquid at once.
+//
+// The cells are aggregates of their particles: pressure is one number per cell, and a cell's
+// residual the sum of its particles'. Between particles i and j the pressure Laplacian is a
+// conductance w(|xᵢ − xⱼ|) > 0 with Σⱼ w x² = 2 over a full lattice, so that Σⱼ wᵢⱼ (pⱼ − pᵢ) is
+// ∇²p (Brookshaw 1985 has this form); between cells it is the sum over their pairs. What a
+// particle's neighbourhood lacks is free surface, where pressure is zero. The solution is
+// interpolated by quadratic B-splines, which leave no kinks for the particles to mend.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/solver.hpp"
+
+namespace spindrift::sim {
+
+class CoarsePressure {
+ public:
+  explicit CoarsePressure(const FluidConstants& constants);
+
+  /// Finds the cells' neighbours and conductances for the particles as they are, of which those
+  /// count that are under pressure or nearly dense enough for it.
+  /// @param delta pressure per density ratio, δ, Pa
+  void build(const StepContext& s, float delta);
+
+  /// The pressure per cell, Pa, that takes away the residuals: residual(k) is ρ/ρ₀ − 1 of particle
+  /// k for k < count, then of the wet boundary samples.
+  template <class F>
+  void solve(const StepContext& s, F residual);
+
+  /// Pressure at x in the given cell, Pa.
+  float at(const Vec3<float>& x, std::uint32_t cell) const;
+  /// Pressure at the wet boundary sample k, Pa: that of the particle nearest to it.
+  float at_wall(const StepContext& s, std::uint32_t k) const {
+    return at(s.particles.drifted_position.view()[nearest_[k]], wet_cell_[k]);
+  }
+  std::size_t memory_bytes() const;
+
+ private:
+  static constexpr int slots = 27;  ///< cells around a cell, x fastest; itself in the middle
+  static constexpr int self = 13;
+  /// Part of the solution that is applied. Pressure outlasts the step in the warm start, and with
+  /// more than about 1.15 times what is needed the steps would swing from one side to the other.
+  static constexpr float gain = 0.45f;
+
+  void find_active(const StepContext& s, float delta);
+  void connect(const StepContext& s, std::uint32_t cell);
+  float conductance_between(const StepContext& s, std::uint32_t a, std::uint32_t b) const;
+  float conductance_to_walls(const StepContext& s, std::uint32_t cell) const;
+  void attach_walls(const StepContext& s);
+  void conjugate_gradients(Executor& executor);
+  float applied(std::uint32_t cell, const std::vector<float>& u) const;
+
+  GridMap map_;
+  float inverse_squared_radius_;  ///< 1/H², 1/m²
+  float conductance_scale_;       ///< of w, 1/m²
+  float lattice_conductance_;     ///< Σ w over a full lattice, the particle itself included, 1/m²
+  float aggregate_factor_;   ///< how much too stiff pressure is by being flat in cells, per their
+                             ///< size, 1/m
+  std::uint32_t count_ = 0;  ///< cells
+
+  ScalarField active_;                   ///< per particle: 1 or 0
+  std::vector<std::int32_t> neighbour_;  ///< slots per cell; −1 where there is none
+  std::vector<float> conductance_;       ///< slots per cell
+  std::vector<float> diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
+  std::vector<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
+};
+
+template <class F>
+void CoarsePressure::solve(const StepContext& s, F residual) {
+  const CellGrid& grid = *s.grid;
+  s.executor.for_each("coarse pressure", count_, [&](std::uint32_t c) {
+    float sum = 0;
+    for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i)
+      sum += active_[i] * residual(i);
+    residual_[c] = sum;
+  });
+  for (std::uint32_t k = 0; k < s.boundary.wet_count; ++k)
+    residual_[wet_cell_[k]] +=
+        s.boundary.volume[s.boundary.wet[k]] / s.constants.volume * residual(s.particles.count + k);
+  conjugate_gradients(s.executor);
+  const float scale = gain * aggregate_factor_ / map_.inverse_cell * s.constants.rest_density /
+                      (s.time_step * s.time_step);
+  for (float& p : pressure_)
+    p *= scale;
+}
+
+}  // namespace spindrift::sim
