@@ -109,7 +109,7 @@ BenchRun scaling_run(const BenchPlan& plan, const Scene& tile, int particles, in
   return {.scene = tiled(tile, static_cast<int>(count)),
           .threads = threads,
           .warm_up_frames = 1,
-          .repetitions = static_cast<int>(std::max(1L, std::lround(enough_particles / all))),
+          .repetitions = static_cast<int>(std::clamp(std::lround(enough_particles / all), 1L, 10L)),
           .limit_seconds = plan.limit_seconds};
 }
 

@@ -110,7 +110,8 @@ void add_bench_options(CLI::App& command, Typed& typed) {
   add_factors("--tolerance", typed.tolerance_factors,
               "solver.mean_compression and solver.max_compression (sph: of its compressibility)");
   add_factors("--time-step", typed.time_step_factors, "solver.cfl and solver.max_time_step");
-  add_list(command, "--particles", typed.particle_counts, "Particles of the scalings, about; threads share the last")
+  add_list(command, "--particles", typed.particle_counts,
+           "Particles of the scalings, about; threads share the last")
       ->type_name("N,...")
       ->check(CLI::Range(1, 100'000'000));
   command.add_option("--limit", typed.limit_seconds, "Seconds after which a run is given up")
