@@ -2,27 +2,16 @@
 #include <omp.h>
 
 #include <exception>
-#include <fstream>
 #include <string>
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/report.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/output/output.hpp"
 
 namespace spindrift::app {
 namespace {
-
-std::string processor() {
-  std::ifstream stream("/proc/cpuinfo");
-  for (std::string line; std::getline(stream, line);) {
-    const auto colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) {
-      return line.substr(colon + 2);
-    }
-  }
-  return "unknown";
-}
 
 /// What draws, or the reason why nothing does.
 std::pair<bool, std::string> renderer() {
@@ -49,16 +38,16 @@ std::string encoder() {
 int run_info(bool json) {
   const auto [can_draw, drawn_by] = renderer();
   const nlohmann::ordered_json info{
-      {"version", SPINDRIFT_VERSION}, {"compiler", SPINDRIFT_COMPILER},
-      {"processor", processor()},     {"threads", omp_get_max_threads()},
-      {"can_draw", can_draw},         {"renderer", drawn_by},
+      {"version", SPINDRIFT_VERSION},  {"compiler", SPINDRIFT_COMPILER},
+      {"processor", processor_name()}, {"threads", omp_get_max_threads()},
+      {"can_draw", can_draw},          {"renderer", drawn_by},
       {"encoder", encoder()}};
   if (json) {
     fmt::print("{}\n", info.dump(2));
     return done;
   }
   fmt::print("spindrift   {}, {}\n", SPINDRIFT_VERSION, SPINDRIFT_COMPILER);
-  fmt::print("processor   {}, {} threads\n", processor(), omp_get_max_threads());
+  fmt::print("processor   {}, {} threads\n", processor_name(), omp_get_max_threads());
   fmt::print("renderer    {}{}\n", can_draw ? "" : "none: ", drawn_by);
   fmt::print("encoder     {}\n", info["encoder"].get<std::string>());
   return done;

@@ -14,6 +14,7 @@
 
 #include "app/commands.hpp"
 #include "app/nearest_name.hpp"
+#include "app/scene_fields.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -30,6 +31,15 @@ struct Typed {
   bool no_cache = false;
   bool quiet = false;
   bool json = false;
+
+  // bench; an empty list: the default one
+  std::vector<std::string> scenes;
+  std::vector<std::string> solvers;
+  std::vector<double> spacing_factors, tolerance_factors, time_step_factors;
+  std::vector<int> particle_counts;
+  double limit_seconds = BenchPlan{}.limit_seconds;
+  bool quick = false;
+  bool plane = false, scaling = false, threads_scaling = false;
 };
 
 /// Misuse of the command line; the message is for people.
@@ -38,8 +48,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void add_scene_options(CLI::App& command, Typed& typed) {
-  command.add_option("scene", typed.scene, "Scene file")->required()->type_name("SCENE");
+void add_common_options(CLI::App& command, Typed& typed) {
   command.add_option("--set", typed.overrides, "Set a scene's value, as in fluid.viscosity=0.05")
       ->type_name("KEY=VALUE")
       ->expected(1)
@@ -49,6 +58,11 @@ void add_scene_options(CLI::App& command, Typed& typed) {
       ->check(CLI::Range(1, 4096));
   command.add_flag("--quiet", typed.quiet, "Print nothing but errors");
   command.add_flag("--json", typed.json, "Print for machines");
+}
+
+void add_scene_options(CLI::App& command, Typed& typed) {
+  command.add_option("scene", typed.scene, "Scene file")->required()->type_name("SCENE");
+  add_common_options(command, typed);
 }
 
 void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::string>& exports) {
@@ -63,6 +77,47 @@ void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::str
       ->take_all()
       ->check(CLI::IsMember(exports));
   command.add_flag("--no-cache", typed.no_cache, "Simulate anew and keep no particles");
+}
+
+/// An option that takes a list, as in --spacing 2,1.25.
+template <class T>
+CLI::Option* add_list(CLI::App& command, const char* name, std::vector<T>& list,
+                      const std::string& about) {
+  return command.add_option(name, list, about)->delimiter(',')->expected(1)->take_all();
+}
+
+void add_bench_options(CLI::App& command, Typed& typed) {
+  command.add_option("scenes", typed.scenes, "Scene files of the plane; a dam break if left out")
+      ->type_name("SCENE");
+  add_common_options(command, typed);
+  command.add_option("-o,--out", typed.output, "Folder for the results; out/bench if left out")
+      ->type_name("DIR");
+  command.add_flag("--quick", typed.quick, "Fewer and smaller runs, for a first look");
+  command.add_flag("--plane", typed.plane, "Speed against error; this alone if nothing is chosen");
+  command.add_flag("--scaling", typed.scaling, "Cost per particle of the dam break as it grows");
+  command.add_flag("--threads-scaling", typed.threads_scaling, "The same for 1, 2, 4 ... threads");
+  const std::vector<std::string> solvers(value_names<sim::SolverType>.begin(),
+                                         value_names<sim::SolverType>.end());
+  add_list(command, "--solver", typed.solvers, "Solvers of the plane")
+      ->type_name("NAME,...")
+      ->check(CLI::IsMember(solvers));
+  const auto add_factors = [&](const char* name, std::vector<double>& factors, const char* of) {
+    add_list(command, name, factors, fmt::format("Factors of the scene's {}", of))
+        ->type_name("FACTOR,...")
+        ->check(CLI::Range(1e-3, 1e3));
+  };
+  add_factors("--spacing", typed.spacing_factors, "fluid.spacing");
+  add_factors("--tolerance", typed.tolerance_factors,
+              "solver.mean_compression and solver.max_compression (sph: of its compressibility)");
+  add_factors("--time-step", typed.time_step_factors, "solver.cfl and solver.max_time_step");
+  add_list(command, "--particles", typed.particle_counts,
+           "Particles of the scalings, about; threads share the last")
+      ->type_name("N,...")
+      ->check(CLI::Range(1, 100'000'000));
+  command.add_option("--limit", typed.limit_seconds, "Seconds after which a run is given up")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
 }
 
 int parse_frame_number(const std::string& text, int if_empty) {
@@ -136,6 +191,47 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   return run_render(scene, options);
 }
 
+int run_typed_bench(const Typed& typed) {
+  const bool chosen = typed.plane || typed.scaling || typed.threads_scaling;
+  if (chosen && !typed.plane && !typed.scenes.empty())
+    throw UsageError(
+        fmt::format("{}: --scaling and --threads-scaling run a dam break of their own; leave the "
+                    "scene out, or add --plane",
+                    typed.scenes.front()));
+  BenchOptions options;
+  BenchPlan& plan = options.plan;
+  plan = default_plan(typed.quick);
+  plan.scenes.assign(typed.scenes.begin(), typed.scenes.end());
+  plan.overrides = typed.overrides;
+  plan.plane = typed.plane || !chosen;
+  plan.particle_scaling = typed.scaling;
+  plan.thread_scaling = typed.threads_scaling;
+  plan.threads = typed.threads;
+  plan.limit_seconds = typed.limit_seconds;
+  const auto replace = [](auto& list, const auto& by) {
+    if (!by.empty())
+      list = by;
+  };
+  replace(plan.spacing_factors, typed.spacing_factors);
+  replace(plan.tolerance_factors, typed.tolerance_factors);
+  replace(plan.time_step_factors, typed.time_step_factors);
+  replace(plan.particle_counts, typed.particle_counts);
+  if (!typed.particle_counts.empty()) {
+    plan.thread_scaling_particles = typed.particle_counts.back();
+  }
+  std::vector<sim::SolverType> solvers;
+  for (const std::string& name : typed.solvers) {
+    const auto& names = value_names<sim::SolverType>;
+    solvers.push_back(
+        static_cast<sim::SolverType>(std::find(names.begin(), names.end(), name) - names.begin()));
+  }
+  replace(plan.solvers, solvers);
+  options.output = typed.output.empty() ? "out/bench" : typed.output;
+  options.quiet = typed.quiet;
+  options.json = typed.json;
+  return run_bench(options);
+}
+
 /// The parser's complaint with the nearest valid name, where a name was mistyped.
 std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
   const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error);
@@ -194,6 +290,11 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   CLI::App* check = app.add_subcommand("check", "Check a scene; print it resolved, and its cost");
   add_scene_options(*check, typed);
 
+  CLI::App* bench = app.add_subcommand("bench", "Measure speed, memory and errors");
+  add_bench_options(*bench, typed);
+  CLI::App* bench_run = app.add_subcommand("bench-run", "One run of bench, told on stdin");
+  bench_run->group("");  // for bench itself
+
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
@@ -210,6 +311,12 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   if (check->parsed()) {
     return run_check(read_scene(typed.scene, typed.overrides), typed.threads, typed.quiet,
                      typed.json);
+  }
+  if (bench->parsed()) {
+    return run_typed_bench(typed);
+  }
+  if (bench_run->parsed()) {
+    return run_bench_child();
   }
   if (info->parsed()) {
     return run_info(typed.json);

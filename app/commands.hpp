@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/bench_runs.hpp"
 #include "app/scene.hpp"
 
 namespace spindrift::app {
@@ -37,7 +38,21 @@ struct RenderOptions {
   std::string command_line_hint;  ///< the command as typed, to say how to go on
 };
 
+struct BenchOptions {
+  BenchPlan plan;
+  std::filesystem::path output;  ///< folder of the table and the report
+  bool quiet = false;            ///< nothing but errors
+  bool json = false;             ///< for machines
+};
+
 int run_render(const Scene& scene, const RenderOptions& options);
+
+/// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
+int run_bench(const BenchOptions& options);
+
+/// One run of a benchmark, in a process of its own: from JSON on the standard input to JSON on the
+/// standard output.
+int run_bench_child();
 
 /// Prints the scene with all defaults filled in, and what it will cost.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);

@@ -1,8 +1,10 @@
 #include "app/report.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "app/progress.hpp"
 #include "render/output/output.hpp"
@@ -53,6 +55,21 @@ nlohmann::ordered_json versions_json() {
   return {{"spindrift", SPINDRIFT_VERSION},
           {"compiler", SPINDRIFT_COMPILER},
           {"encoder", output::encoder_info()}};
+}
+
+std::string processor_name() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos)
+      return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string machine_text() {
+  return fmt::format("{}, {} threads; Spindrift {}, {}", processor_name(), omp_get_num_procs(),
+                     SPINDRIFT_VERSION, SPINDRIFT_COMPILER);
 }
 
 nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) {

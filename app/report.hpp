@@ -13,4 +13,10 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
 /// Version of the program, of its compiler and of what it writes with.
 nlohmann::ordered_json versions_json();
 
+/// The processor's name, or "unknown".
+std::string processor_name();
+
+/// What timings depend on, in a line: processor, threads, version and compiler.
+std::string machine_text();
+
 }  // namespace spindrift::app

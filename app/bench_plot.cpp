@@ -1,0 +1,80 @@
+#include "app/bench_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+
+#include "app/process.hpp"
+
+namespace spindrift::app {
+namespace {
+
+/// In single quotes gnuplot takes everything as it stands, but for the quote itself.
+std::string quoted(const std::string& text) {
+  std::string doubled;
+  for (const char c : text)
+    doubled.append(c == '\'' ? 2 : 1, c);
+  return fmt::format("'{}'", doubled);
+}
+
+/// How gnuplot draws a curve, by its own numbers for the shapes of points.
+std::string style(const Curve& curve) {
+  static constexpr const char* colors[] = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd",
+                                           "#ff7f0e", "#8c564b", "#17becf", "#7f7f7f"};
+  const std::string color =
+      fmt::format("linecolor rgb '{}'", colors[static_cast<std::size_t>(curve.color) % 8]);
+  const int open_shape = curve.marker == Marker::circle ? 6 : 4;
+  const std::string points =
+      fmt::format("pointtype {} pointsize 0.8", open_shape + (curve.filled ? 1 : 0));
+  if (curve.marker == Marker::none)
+    return fmt::format("with lines dashtype 2 {}", color);
+  return curve.line ? fmt::format("with linespoints dashtype 2 {} {}", color, points)
+                    : fmt::format("with points {} {}", color, points);
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Plot& plot) {
+  std::string data, curves;
+  for (const Curve& curve : plot.curves) {
+    if (curve.points.empty())
+      continue;
+    const std::string name = fmt::format("$curve{}", &curve - plot.curves.data());
+    data += name + " << END\n";
+    for (const auto& [x, y] : curve.points)
+      data += fmt::format("{:.9g} {:.9g}\n", x, y);
+    data += "END\n";
+    curves += fmt::format(
+        "{} {} {} {}", curves.empty() ? "plot" : ", \\\n ", name, style(curve),
+        curve.title.empty() ? "notitle" : "title " + quoted(curve.title) + " noenhanced");
+  }
+  const char* log_axes = plot.log_x ? (plot.log_y ? "xy" : "x") : (plot.log_y ? "y" : nullptr);
+  return "set terminal svg size 600,440 font 'sans-serif,12' background '#ffffff'\n"
+         "set grid\nset key above\nset format '%g'\n" +
+         (log_axes ? fmt::format("set logscale {}\n", log_axes) : std::string()) +
+         (plot.log_x ? "" : "set xrange [0:*]\n") + (plot.log_y ? "" : "set yrange [0:*]\n") +
+         fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\n", quoted(plot.x_label),
+                     quoted(plot.y_label)) +
+         data + curves + "\n";
+}
+
+std::string draw_svg(const Plot& plot) {
+  const std::atomic<bool> never{false};  // it takes a moment
+  ProcessResult result;
+  try {
+    result = run_process({"gnuplot"}, gnuplot_script(plot), never);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(fmt::format(
+        "gnuplot, which draws the plots, can't be run ({}); on Debian: apt-get install gnuplot-nox",
+        error.code().message()));
+  }
+  const auto begin = result.out.find("<svg");
+  const auto end = result.out.rfind("</svg>");
+  if (result.exit_code != 0 || begin == std::string::npos || end == std::string::npos)
+    throw std::runtime_error(
+        fmt::format("gnuplot failed (code {}): {}", result.exit_code, result.err));
+  return result.out.substr(begin, end + 6 - begin);
+}
+
+}  // namespace spindrift::app
