@@ -43,34 +43,62 @@ void add(Mesh& mesh, const sim::Box& box) {
   }
 }
 
-void add(Mesh& mesh, const sim::Sphere& sphere) {
+/// A ball that is cut in two at its equator and drawn apart along its axis: one half ball around
+/// `top`, one around `bottom`, and the side between them where the two differ. The frame's second
+/// column is the axis, from bottom to top.
+void add_round(Mesh& mesh, const glm::vec3& bottom, const glm::vec3& top, float radius,
+               const glm::mat3& frame) {
   constexpr unsigned rings = around / 2;
   const auto first = static_cast<unsigned>(mesh.vertices.size());
-  for (unsigned ring = 0; ring <= rings; ++ring) {
+  const auto add_ring = [&](unsigned ring, const glm::vec3& center) {
     const float polar = angle(ring);  // 0 at the top, π at the bottom
     for (unsigned piece = 0; piece <= around; ++piece) {
       const glm::vec3 normal{std::sin(polar) * std::cos(angle(piece)), std::cos(polar),
                              -std::sin(polar) * std::sin(angle(piece))};
-      add_vertex(mesh, sphere.center + sphere.radius * normal, normal);
+      add_vertex(mesh, center + radius * (frame * normal), frame * normal);
+    }
+  };
+  unsigned last = rings;
+  for (unsigned ring = 0; ring <= rings; ++ring) {
+    add_ring(ring, ring <= rings / 2 ? top : bottom);
+    if (ring == rings / 2 && top != bottom) {
+      add_ring(ring, bottom);
+      ++last;
     }
   }
-  for (unsigned ring = 0; ring < rings; ++ring) {
+  for (unsigned ring = 0; ring < last; ++ring) {
     for (unsigned piece = 0; piece < around; ++piece) {
-      const unsigned top = first + ring * (around + 1) + piece, low = top + around + 1;
+      const unsigned high = first + ring * (around + 1) + piece, low = high + around + 1;
       if (ring > 0) {
-        mesh.triangles.push_back({top, low, top + 1});
+        mesh.triangles.push_back({high, low, high + 1});
       }
-      if (ring + 1 < rings) {
-        mesh.triangles.push_back({top + 1, low, low + 1});
+      if (ring + 1 < last) {
+        mesh.triangles.push_back({high + 1, low, low + 1});
       }
     }
   }
 }
 
+void add(Mesh& mesh, const sim::Sphere& sphere) {
+  add_round(mesh, sphere.center, sphere.center, sphere.radius, glm::mat3(1.f));
+}
+
+/// Three directions at right angles, the second one along the axis.
+glm::mat3 frame_along(const glm::vec3& axis) {
+  const glm::vec3 aside = std::abs(axis.y) < 0.9f ? glm::vec3{0.f, 1.f, 0.f} : glm::vec3{1, 0, 0};
+  const glm::vec3 u = glm::normalize(glm::cross(aside, axis));
+  return {u, axis, glm::cross(u, axis)};
+}
+
+void add(Mesh& mesh, const sim::Capsule& capsule) {
+  add_round(mesh, capsule.from, capsule.to, capsule.radius,
+            frame_along(glm::normalize(capsule.to - capsule.from)));
+}
+
 void add(Mesh& mesh, const sim::Cylinder& cylinder) {
   const glm::vec3 axis = glm::normalize(cylinder.to - cylinder.from);
-  const glm::vec3 aside = std::abs(axis.y) < 0.9f ? glm::vec3{0.f, 1.f, 0.f} : glm::vec3{1, 0, 0};
-  const glm::vec3 u = glm::normalize(glm::cross(aside, axis)), v = glm::cross(axis, u);
+  const glm::mat3 frame = frame_along(axis);
+  const glm::vec3 u = frame[0], v = -frame[2];
   const auto outward = [&](unsigned piece) {
     return std::cos(angle(piece)) * u + std::sin(angle(piece)) * v;
   };

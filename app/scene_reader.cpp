@@ -125,7 +125,7 @@ class SceneReader {
       fail(path, fmt::format("expected one shape out of {}, found {}", fmt::join(shape_names, ", "),
                              given.size()));
     }
-    const sim::Shape shapes[] = {sim::Box{}, sim::Sphere{}, sim::Cylinder{}};
+    const sim::Shape shapes[] = {sim::Box{}, sim::Sphere{}, sim::Cylinder{}, sim::Capsule{}};
     static_assert(std::size(shapes) == shape_names.size());
     into = shapes[given[0]];
     const std::string_view name = shape_names[given[0]];

@@ -23,7 +23,14 @@ struct Cylinder {
   float radius = 0.5f;          ///< m
 };
 
-using Shape = std::variant<Box, Sphere, Cylinder>;
+/// A cylinder with half a ball on each end: all points within `radius` of a line.
+struct Capsule {
+  glm::vec3 from{0.f};          ///< one end of the line, m
+  glm::vec3 to{0.f, 1.f, 0.f};  ///< its other end, m
+  float radius = 0.5f;          ///< m
+};
+
+using Shape = std::variant<Box, Sphere, Cylinder, Capsule>;
 
 /// A region filled with liquid at the start: particles on a lattice of the fluid's spacing. In a
 /// box the first particle centre lies half a spacing inside `min`; in other shapes the lattice is

@@ -47,6 +47,7 @@ TEST_CASE("every member of every settings struct has its key") {
   STATIC_REQUIRE(complete<sim::Box>);
   STATIC_REQUIRE(complete<sim::Sphere>);
   STATIC_REQUIRE(complete<sim::Cylinder>);
+  STATIC_REQUIRE(complete<sim::Capsule>);
   STATIC_REQUIRE(complete<sim::DomainSettings>);
   STATIC_REQUIRE(complete<sim::Obstacle>);
   STATIC_REQUIRE(complete<sim::ForceSettings>);
