@@ -5,6 +5,8 @@
 #include <numbers>
 #include <variant>
 
+#include "app/closed_surface.hpp"
+#include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::app {
@@ -68,6 +70,19 @@ double volume(const sim::Capsule& capsule) {
 double area(const sim::Capsule& capsule) {
   const double radius = capsule.radius;
   return 2. * pi * radius * (length(capsule) + 2. * radius);
+}
+
+double volume(const sim::TriangleMesh& mesh) {
+  return enclosed_volume(mesh.body->surface());
+}
+double area(const sim::TriangleMesh& mesh) {
+  const sim::TriangleSurface& surface = mesh.body->surface();
+  double sum = 0.;
+  for (const glm::uvec3& t : surface.triangles) {
+    const glm::dvec3 a(surface.vertices[t.x]), b(surface.vertices[t.y]), c(surface.vertices[t.z]);
+    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return sum;
 }
 
 }  // namespace

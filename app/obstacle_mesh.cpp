@@ -3,6 +3,9 @@
 #include <cmath>
 #include <numbers>
 #include <variant>
+#include <vector>
+
+#include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -115,6 +118,73 @@ void add(Mesh& mesh, const sim::Cylinder& cylinder) {
     mesh.triangles.push_back({add_vertex(mesh, cylinder.from, -axis),
                               add_vertex(mesh, cylinder.from + radius * n1, -axis),
                               add_vertex(mesh, cylinder.from + radius * n0, -axis)});
+  }
+}
+
+/// cos of the largest angle between two faces that look like one round surface.
+constexpr float smooth_cosine = 0.8f;
+
+struct Face {
+  glm::vec3 normal{0.f};  // unit
+  glm::vec3 angles{0.f};  // at its corners
+};
+
+Face face_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  Face face;
+  const glm::vec3 normal = glm::cross(b - a, c - a);
+  const float length = glm::length(normal);
+  if (length > 0.f) {
+    face.normal = normal / length;
+    const auto angle_at = [length](const glm::vec3& u, const glm::vec3& v) {
+      return std::atan2(length, glm::dot(u, v));
+    };
+    face.angles = {angle_at(b - a, c - a), angle_at(c - b, a - b), angle_at(a - c, b - c)};
+  }
+  return face;
+}
+
+/// A vertex gets as many normals as there are round surfaces that meet there: for each face the
+/// mean of the faces around the vertex that are not at a sharp angle to it, weighted by their
+/// angles (Thürmer & Wüthrich 1998).
+void add(Mesh& mesh, const sim::TriangleMesh& shape) {
+  const sim::TriangleSurface& surface = shape.body->surface();
+  struct Corner {
+    std::size_t triangle;
+    int number;
+  };
+  std::vector<std::vector<Corner>> corners(surface.vertices.size());
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const glm::uvec3& t = surface.triangles[i];
+    faces.push_back(face_of(surface.vertices[t.x], surface.vertices[t.y], surface.vertices[t.z]));
+    for (int k = 0; k < 3; ++k) {
+      corners[t[k]].push_back({i, k});
+    }
+  }
+  const std::size_t first_triangle = mesh.triangles.size();
+  mesh.triangles.resize(first_triangle + surface.triangles.size());
+  for (std::size_t v = 0; v < corners.size(); ++v) {
+    const std::size_t first_vertex = mesh.vertices.size();
+    for (const Corner& corner : corners[v]) {
+      glm::vec3 sum{0.f};
+      for (const Corner& other : corners[v]) {
+        const Face& face = faces[other.triangle];
+        if (glm::dot(face.normal, faces[corner.triangle].normal) > smooth_cosine) {
+          sum += face.angles[other.number] * face.normal;
+        }
+      }
+      const glm::vec3 normal =
+          sum == glm::vec3{0.f} ? glm::vec3{0.f, 1.f, 0.f} : glm::normalize(sum);
+      std::size_t vertex = first_vertex;
+      while (vertex < mesh.vertices.size() && mesh.normals[vertex] != normal) {
+        ++vertex;
+      }
+      if (vertex == mesh.vertices.size()) {
+        add_vertex(mesh, surface.vertices[v], normal);
+      }
+      mesh.triangles[first_triangle + corner.triangle][corner.number] =
+          static_cast<unsigned>(vertex);
+    }
   }
 }
 

@@ -9,6 +9,11 @@
 namespace spindrift::sim {
 namespace {
 
+/// A single layer has no second one behind it that would stop what has come through between two
+/// samples; it is made this much denser. Measured: with 1, a cup of walls 0.3 spacings thick loses
+/// one particle in a hundred in half a second; with 1.6, none, dropped into it at 3 m/s.
+constexpr float single_layer_excess = 1.6f;
+
 /// One layer of samples has fewer neighbours than a full solid, so that 1/ΣW is too large a volume.
 /// This factor makes it right for a flat layer on a lattice of the liquid's spacing: there V_b = d³
 /// exactly, and a lattice of liquid at rest on a flat wall has the rest density.
@@ -56,56 +61,94 @@ void place_sentinel(VectorField& field, std::uint32_t n) {
   field.view().set(n, {sentinel_position, sentinel_position, sentinel_position});
 }
 
-}  // namespace
-
-Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
+/// Samples of the domain's walls and of all obstacles, those left out that are beyond the walls and
+/// never near any liquid.
+std::vector<SurfaceSample> sample_all(const Settings& settings) {
   const float spacing = settings.fluid.spacing;
-  std::vector<glm::vec3> samples = sample_walls(settings.domain, spacing);
+  std::vector<SurfaceSample> samples;
+  for (const glm::vec3 p : sample_walls(settings.domain, spacing))
+    samples.push_back({p});
   for (const Obstacle& obstacle : settings.obstacles) {
     const auto more = sample_surface(obstacle.shape, spacing);
     samples.insert(samples.end(), more.begin(), more.end());
   }
-  // Samples of obstacles beyond the walls are never near any liquid.
   const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
-  std::erase_if(samples, [&](glm::vec3 p) {
-    return glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high));
+  std::erase_if(samples, [&](const SurfaceSample& s) {
+    return glm::any(glm::lessThan(s.position, low)) || glm::any(glm::greaterThan(s.position, high));
   });
-  count_ = static_cast<std::uint32_t>(samples.size());
+  return samples;
+}
 
-  VectorField unsorted;
-  unsorted.resize(count_);
-  for (std::uint32_t i = 0; i < count_; ++i)
-    unsorted.view().set(i, {samples[i].x, samples[i].y, samples[i].z});
-  grid_.sort(map, unsorted.view(), count_);
+}  // namespace
 
+Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
+  const std::vector<SurfaceSample> unsorted = sample_all(settings);
+  count_ = static_cast<std::uint32_t>(unsorted.size());
   position_.resize(count_);
-  volume_.resize(count_);
+  const auto place = [&](std::uint32_t i, const SurfaceSample& s) {
+    position_.view().set(i, {s.position.x, s.position.y, s.position.z});
+  };
   for (std::uint32_t i = 0; i < count_; ++i)
-    position_.view().set(i, unsorted.view()[grid_.order()[i]]);
+    place(i, unsorted[i]);
+  grid_.sort(map, position_.view(), count_);
+  std::vector<SurfaceSample> samples;
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    samples.push_back(unsorted[grid_.order()[i]]);
+    place(i, samples[i]);
+  }
   place_sentinel(position_, count_);
 
   const CubicKernel kernel(radius);
-  const float factor = flat_layer_factor(kernel, spacing, radius);
-  NeighbourLists lists;
-  lists.build(map, grid_, position_.view(), count_, grid_, position_.view(), count_, radius);
-  const Vec3Arrays position = position_.view();
-  for (std::uint32_t i = 0; i < count_; ++i) {
-    const Vec3<float> xi = position[i];
-    const float sum = lists.view().sum(i, [&](auto j) {
-      const auto d = xi - position[j];
-      return kernel.value(square_root(dot(d, d)));
-    });
-    volume_[i] = factor / sum;
-  }
-  measure_solids(settings, kernel, radius);
+  measure_volumes(settings.fluid.spacing, samples, map, kernel, radius);
+  measure_solids(settings, samples, kernel, radius);
   pressure_.resize(count_);
   step_pressure_.resize(count_);
 }
 
+/// The volumes give the liquid the rest density: where samples are in a single layer, at the sample
+/// itself (Akinci et al. 2012, eq. 4). In a thin wall it is the density of the liquid's first
+/// particles that is made right, one spacing away, as far as this wall gives it and not one that
+/// stands at an angle to it: with two layers, that counts both; with one, it keeps the volumes from
+/// shrinking where walls meet.
+void Boundary::measure_volumes(float spacing, const std::vector<SurfaceSample>& samples,
+                               const GridMap& map, const CubicKernel& kernel, float radius) {
+  const float layer = flat_layer_factor(kernel, spacing, radius);
+  const float next_layer = flat_liquid_share(kernel, spacing, radius);
+  NeighbourLists lists;
+  lists.build(map, grid_, position_.view(), count_, grid_, position_.view(), count_, radius);
+  const Vec3Arrays position = position_.view();
+  volume_.resize(count_);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const Vec3<float> xi = position[i];
+    const auto sum_at = [&](const Vec3<float>& out) {
+      const Vec3<float> x = xi + spacing * out;
+      return lists.view().sum(i, [&](auto j) {
+        const auto d = x - position[j], from_sample = position[j] - xi;
+        const auto w = kernel.value(square_root(dot(d, d)));
+        const auto height = from_sample.x * out.x + from_sample.y * out.y + from_sample.z * out.z;
+        return height < 0.3f * spacing ? w : 0.f * w;
+      });
+    };
+    const glm::vec3 n = samples[i].normal;
+    switch (samples[i].side) {
+      case SurfaceSample::Side::around:
+        volume_[i] = layer / sum_at({0, 0, 0});
+        break;
+      case SurfaceSample::Side::one:
+        volume_[i] = next_layer / sum_at({n.x, n.y, n.z});
+        break;
+      case SurfaceSample::Side::both:
+        volume_[i] = single_layer_excess * next_layer /
+                     std::min(sum_at({n.x, n.y, n.z}), sum_at({-n.x, -n.y, -n.z}));
+    }
+  }
+}
+
 /// A sample's solid makes up for what the liquid does not when it is at rest around it: at a flat
 /// wall the known lattice sum, elsewhere (edges, corners, curved obstacles) that in proportion to
-/// the free space.
-void Boundary::measure_solids(const Settings& settings, const CubicKernel& kernel, float radius) {
+/// the free space. In one of two layers, liquid on the wall's other side does not count.
+void Boundary::measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
+                              const CubicKernel& kernel, float radius) {
   const float spacing = settings.fluid.spacing;
   const double flat =
       free_part(kernel, radius, [&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
@@ -120,14 +163,16 @@ void Boundary::measure_solids(const Settings& settings, const CubicKernel& kerne
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::uint32_t i = 0; i < count_; ++i) {
     const Vec3<float> xi = position[i];
-    const double open = free_part(kernel, radius, [&](const Vec3<float>& p) {
-      const Vec3<float> moved = contact.resolve(xi + p) - (xi + p);
-      return dot(moved, moved) == 0;
-    });
+    const SurfaceSample& sample = samples[i];
+    const auto is_open = [&](const Vec3<float>& p) {
+      return (sample.side != SurfaceSample::Side::one ||
+              glm::dot(sample.normal, glm::vec3(p.x, p.y, p.z)) > 0) &&
+             contact.is_open(xi + p);
+    };
+    const double open = free_part(kernel, radius, is_open);
     double lattice = 0;
     for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
-      const Vec3<float> moved = contact.resolve(xi + p) - (xi + p);
-      if (dot(moved, moved) == 0)
+      if (is_open(p))
         lattice += kernel.value(square_root(dot(p, p)));
     });
     solid_[i] = 1 - static_cast<float>(std::max(share * open / flat, volume * lattice));

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -30,11 +32,22 @@ struct Capsule {
   float radius = 0.5f;          ///< m
 };
 
-using Shape = std::variant<Box, Sphere, Cylinder, Capsule>;
+class MeshBody;
+
+/// A body bounded by triangles that a file holds.
+struct TriangleMesh {
+  std::string file;                      ///< OBJ or PLY
+  float scale = 1.f;                     ///< metres per unit of the file
+  glm::vec3 rotate{0.f};                 ///< about x, then y, then z, after scaling, degrees
+  glm::vec3 translate{0.f};              ///< after rotating, m
+  std::shared_ptr<const MeshBody> body;  ///< what was read, in its place; all that is looked at
+};
+
+using Shape = std::variant<Box, Sphere, Cylinder, Capsule, TriangleMesh>;
 
 /// A region filled with liquid at the start: particles on a lattice of the fluid's spacing. In a
 /// box the first particle centre lies half a spacing inside `min`; in other shapes the lattice is
-/// centred on them.
+/// centred on them, in a mesh so that its bounds hold whole cells.
 struct Volume {
   Shape shape = Box{};
   glm::vec3 velocity{0.f};  ///< initial velocity, m/s

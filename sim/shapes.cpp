@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sim/contact.hpp"
+#include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -30,9 +31,25 @@ std::vector<glm::vec3> fill_box(const Box& box, float d) {
   return points;
 }
 
-/// Lattice centred on `center`, kept where inside(p) holds.
-template <class Inside>
-std::vector<glm::vec3> fill_centred(const Box& bounds, glm::vec3 center, float d, Inside inside) {
+/// One point of a shape's lattice, near its middle.
+glm::vec3 lattice_center(const Shape& shape, float d) {
+  return std::visit(Overloaded{[](const Sphere& s) { return s.center; },
+                               [&](const TriangleMesh& m) {
+                                 const Box& bounds = m.body->bounds();
+                                 glm::vec3 center = 0.5f * (bounds.min + bounds.max);
+                                 for (int axis = 0; axis < 3; ++axis)
+                                   if (cells_along(bounds.max[axis] - bounds.min[axis], d) % 2 == 0)
+                                     center[axis] -= 0.5f * d;
+                                 return center;
+                               },
+                               [](const Box& b) { return 0.5f * (b.min + b.max); },
+                               [](const auto& s) { return 0.5f * (s.from + s.to); }},
+                    shape);
+}
+
+/// Lattice of which `center` is one point, as far as it is inside the shape.
+std::vector<glm::vec3> fill_centred(const Shape& shape, glm::vec3 center, float d) {
+  const Box bounds = bounds_of(shape);
   const glm::vec3 half = 0.5f * (bounds.max - bounds.min) / d;
   const glm::ivec3 n(glm::ceil(half));
   std::vector<glm::vec3> points;
@@ -40,7 +57,7 @@ std::vector<glm::vec3> fill_centred(const Box& bounds, glm::vec3 center, float d
     for (int j = -n.y; j <= n.y; ++j)
       for (int i = -n.x; i <= n.x; ++i) {
         const glm::vec3 p = center + d * glm::vec3(i, j, k);
-        if (inside(p))
+        if (contains(shape, {p.x, p.y, p.z}))
           points.push_back(p);
       }
   return points;
@@ -113,55 +130,47 @@ std::vector<glm::vec3> cylinder_surface(glm::vec3 from, glm::vec3 to, float radi
   return points;
 }
 
-glm::vec3 to_glm(const Vec3<float>& p) {
-  return {p.x, p.y, p.z};
-}
-
 }  // namespace
 
 std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing) {
-  return std::visit(Overloaded{[&](const Box& b) { return fill_box(b, spacing); },
-                               [&](const auto& s) {
-                                 const Box bounds = bounds_of(shape);
-                                 glm::vec3 center;
-                                 if constexpr (requires { s.center; })
-                                   center = s.center;
-                                 else
-                                   center = 0.5f * (s.from + s.to);
-                                 return fill_centred(bounds, center, spacing, [&](glm::vec3 p) {
-                                   return to_glm(push_out(shape, {p.x, p.y, p.z})) != p;
-                                 });
-                               }},
-                    shape);
+  if (const Box* box = std::get_if<Box>(&shape))
+    return fill_box(*box, spacing);
+  return fill_centred(shape, lattice_center(shape, spacing), spacing);
 }
 
-std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing) {
+std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing) {
+  if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&shape))
+    return mesh->body->sample(spacing);
   const float inset = 0.5f * spacing;
-  return std::visit(
+  const auto below = [inset](float radius) { return std::max(radius - inset, 0.1f * radius); };
+  const auto points = std::visit(
       Overloaded{[&](const Box& b) {
                    const glm::vec3 most = 0.5f * (b.max - b.min);
                    const glm::vec3 in = glm::min(glm::vec3(inset), most);
                    return box_surface(b.min + in, b.max - in, spacing);
                  },
                  [&](const Sphere& s) {
-                   return round_surface(s.center, glm::mat3(1), 0,
-                                        std::max(s.radius - inset, 0.1f * s.radius), spacing);
+                   return round_surface(s.center, glm::mat3(1), 0, below(s.radius), spacing);
                  },
                  [&](const Cylinder& c) {
                    const glm::vec3 axis = c.to - c.from;
                    const float length = glm::length(axis);
                    const glm::vec3 in = axis * (std::min(inset, 0.4f * length) / length);
-                   return cylinder_surface(c.from + in, c.to - in,
-                                           std::max(c.radius - inset, 0.1f * c.radius), spacing);
+                   return cylinder_surface(c.from + in, c.to - in, below(c.radius), spacing);
                  },
                  [&](const Capsule& c) {
                    const float length = glm::length(c.to - c.from);
                    const glm::vec3 axis = (c.to - c.from) / length;
                    const auto [u, v] = across(axis);
                    return round_surface(0.5f * (c.from + c.to), {u, axis, v}, length,
-                                        std::max(c.radius - inset, 0.1f * c.radius), spacing);
-                 }},
+                                        below(c.radius), spacing);
+                 },
+                 [](const TriangleMesh&) { return std::vector<glm::vec3>(); }},
       shape);
+  std::vector<SurfaceSample> samples;
+  for (const glm::vec3& p : points)
+    samples.push_back({p});
+  return samples;
 }
 
 std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing) {
@@ -181,7 +190,8 @@ Box bounds_of(const Shape& shape) {
                  },
                  [](const Capsule& c) {
                    return Box{glm::min(c.from, c.to) - c.radius, glm::max(c.from, c.to) + c.radius};
-                 }},
+                 },
+                 [](const TriangleMesh& m) { return m.body->bounds(); }},
       shape);
 }
 
@@ -233,8 +243,16 @@ Vec3<float> push_out(const Shape& shape, Vec3<float> p) {
                      return p;
                    const glm::vec3 n = r > 0 ? offset / r : across(glm::normalize(axis)).first;
                    return from_glm(nearest + c.radius * n);
-                 }},
+                 },
+                 [&](const TriangleMesh& m) { return from_glm(m.body->push_out(q)); }},
       shape);
+}
+
+bool contains(const Shape& shape, Vec3<float> p) {
+  if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&shape))
+    return mesh->body->contains({p.x, p.y, p.z});
+  const Vec3<float> moved = push_out(shape, p) - p;
+  return dot(moved, moved) > 0;
 }
 
 }  // namespace spindrift::sim

@@ -89,7 +89,7 @@ TEST_CASE("a resolved scene reads back as itself") {
   for (const auto& file : shipped_scenes()) {
     INFO(file);
     const auto resolved = to_json(read_scene(file));
-    CHECK(to_json(parse(to_text(resolved))) == resolved);
+    CHECK(to_json(parse_scene(to_text(resolved), file)) == resolved);
   }
   const auto rich = to_json(parse(R"({
     "name": "rich",

@@ -7,7 +7,16 @@
 #include <limits>
 #include <vector>
 
+#include "sim/shapes/surface_sample.hpp"
+
 namespace spindrift::test {
+
+inline std::vector<glm::vec3> positions(const std::vector<sim::SurfaceSample>& samples) {
+  std::vector<glm::vec3> points;
+  for (const sim::SurfaceSample& sample : samples)
+    points.push_back(sample.position);
+  return points;
+}
 
 /// Distance from a point to the nearest other one, m.
 inline float distance_to_nearest(const glm::vec3& p, const std::vector<glm::vec3>& points) {

@@ -9,6 +9,7 @@
 #include "sim/simulation.hpp"
 
 using namespace spindrift::sim;
+using spindrift::test::positions;
 
 namespace {
 
@@ -65,7 +66,7 @@ TEST_CASE("wall samples lie half a spacing outside the domain, one layer deep, e
 TEST_CASE("obstacle samples lie half a spacing below the surface, about one per spacing squared") {
   const Sphere ball{{0.2f, 0.3f, 0.4f}, 0.5f};
   const auto samples = sample_surface(ball, 0.05f);
-  for (const auto p : samples)
+  for (const glm::vec3 p : positions(samples))
     CHECK(glm::length(p - ball.center) == Approx(0.475f).epsilon(1e-4));
   CHECK(static_cast<double>(samples.size()) ==
         Approx(4 * 3.14159 * 0.475 * 0.475 / 0.0025).epsilon(0.02));
@@ -74,7 +75,7 @@ TEST_CASE("obstacle samples lie half a spacing below the surface, about one per 
 TEST_CASE("a capsule's samples lie half a spacing below its surface, evenly") {
   const float d = 0.05f;
   const Capsule capsule{{0.1f, 0.2f, 0.3f}, {1, 0.5f, -0.4f}, 0.2f};
-  const auto samples = sample_surface(capsule, d);
+  const auto samples = positions(sample_surface(capsule, d));
   for (const auto p : samples) {
     const glm::vec3 axis = capsule.to - capsule.from;
     const float along = glm::dot(p - capsule.from, axis) / glm::dot(axis, axis);
@@ -84,7 +85,7 @@ TEST_CASE("a capsule's samples lie half a spacing below its surface, evenly") {
   // The same layer, sampled ten times as finely.
   Capsule thinner = capsule;
   thinner.radius = 0.175f + 0.05f * d;
-  const auto s = spindrift::test::spread(samples, sample_surface(thinner, 0.1f * d));
+  const auto s = spindrift::test::spread(samples, positions(sample_surface(thinner, 0.1f * d)));
   CHECK(s.closest > 0.6f * d);
   CHECK(s.loneliest < 1.4f * d);
   CHECK(s.hole < d);
