@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
+#include <variant>
 
+#include "app/closed_surface.hpp"
+#include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::app {
@@ -31,46 +33,79 @@ double likely_speed(const sim::Settings& settings) {
   return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
 }
 
+double volume(const sim::Box& box) {
+  const glm::dvec3 d = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return d.x * d.y * d.z;
+}
+double area(const sim::Box& box) {
+  const glm::dvec3 d = glm::dvec3(box.max) - glm::dvec3(box.min);
+  return 2. * (d.x * d.y + d.y * d.z + d.z * d.x);
+}
+
+double volume(const sim::Sphere& sphere) {
+  return 4. / 3. * pi * std::pow(static_cast<double>(sphere.radius), 3);
+}
+double area(const sim::Sphere& sphere) {
+  return 4. * pi * std::pow(static_cast<double>(sphere.radius), 2);
+}
+
+template <class Shape>
+double length(const Shape& shape) {
+  return glm::distance(glm::dvec3(shape.from), glm::dvec3(shape.to));
+}
+
+double volume(const sim::Cylinder& cylinder) {
+  const double radius = cylinder.radius;
+  return pi * radius * radius * length(cylinder);
+}
+double area(const sim::Cylinder& cylinder) {
+  const double radius = cylinder.radius;
+  return 2. * pi * radius * (radius + length(cylinder));
+}
+
+double volume(const sim::Capsule& capsule) {
+  const double radius = capsule.radius;
+  return pi * radius * radius * (length(capsule) + 4. / 3. * radius);
+}
+double area(const sim::Capsule& capsule) {
+  const double radius = capsule.radius;
+  return 2. * pi * radius * (length(capsule) + 2. * radius);
+}
+
+double volume(const sim::TriangleMesh& mesh) {
+  return enclosed_volume(mesh.body->surface());
+}
+double area(const sim::TriangleMesh& mesh) {
+  const sim::TriangleSurface& surface = mesh.body->surface();
+  double sum = 0.;
+  for (const glm::uvec3& t : surface.triangles) {
+    const glm::dvec3 a(surface.vertices[t.x]), b(surface.vertices[t.y]), c(surface.vertices[t.z]);
+    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return sum;
+}
+
 }  // namespace
 
 double shape_volume(const sim::Shape& shape) {
-  if (const auto* box = std::get_if<sim::Box>(&shape)) {
-    const glm::dvec3 d = glm::dvec3(box->max) - glm::dvec3(box->min);
-    return d.x * d.y * d.z;
-  }
-  if (const auto* sphere = std::get_if<sim::Sphere>(&shape)) {
-    return 4. / 3. * pi * std::pow(static_cast<double>(sphere->radius), 3);
-  }
-  const auto& cylinder = std::get<sim::Cylinder>(shape);
-  const double radius = cylinder.radius;
-  return pi * radius * radius * glm::distance(glm::dvec3(cylinder.from), glm::dvec3(cylinder.to));
+  return std::visit([](const auto& s) { return volume(s); }, shape);
 }
 
 double shape_area(const sim::Shape& shape) {
-  if (const auto* box = std::get_if<sim::Box>(&shape)) {
-    const glm::dvec3 d = glm::dvec3(box->max) - glm::dvec3(box->min);
-    return 2. * (d.x * d.y + d.y * d.z + d.z * d.x);
-  }
-  if (const auto* sphere = std::get_if<sim::Sphere>(&shape)) {
-    return 4. * pi * std::pow(static_cast<double>(sphere->radius), 2);
-  }
-  const auto& cylinder = std::get<sim::Cylinder>(shape);
-  const double radius = cylinder.radius;
-  return 2. * pi * radius *
-         (radius + glm::distance(glm::dvec3(cylinder.from), glm::dvec3(cylinder.to)));
+  return std::visit([](const auto& s) { return area(s); }, shape);
 }
 
 Estimate estimate(const Scene& scene, int threads) {
   const sim::Settings& settings = scene.simulation;
   const double spacing = settings.fluid.spacing;
-  double area = shape_area(sim::Box{settings.domain.min, settings.domain.max});
+  double solid_area = area(sim::Box{settings.domain.min, settings.domain.max});
   for (const sim::Obstacle& obstacle : settings.obstacles) {
-    area += shape_area(obstacle.shape);
+    solid_area += shape_area(obstacle.shape);
   }
 
   Estimate result;
   result.particles = sim::fill_volumes(settings).positions.size();
-  result.boundary_particles = static_cast<std::size_t>(area / (spacing * spacing));
+  result.boundary_particles = static_cast<std::size_t>(solid_area / (spacing * spacing));
   const auto particles = static_cast<double>(result.particles);
   const double pixels = static_cast<double>(scene.video.width) * scene.video.height;
   result.bytes = particles * bytes_per_particle +

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <numbers>
 #include <variant>
+#include <vector>
+
+#include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -43,34 +46,62 @@ void add(Mesh& mesh, const sim::Box& box) {
   }
 }
 
-void add(Mesh& mesh, const sim::Sphere& sphere) {
+/// A ball that is cut in two at its equator and drawn apart along its axis: one half ball around
+/// `top`, one around `bottom`, and the side between them where the two differ. The frame's second
+/// column is the axis, from bottom to top.
+void add_round(Mesh& mesh, const glm::vec3& bottom, const glm::vec3& top, float radius,
+               const glm::mat3& frame) {
   constexpr unsigned rings = around / 2;
   const auto first = static_cast<unsigned>(mesh.vertices.size());
-  for (unsigned ring = 0; ring <= rings; ++ring) {
+  const auto add_ring = [&](unsigned ring, const glm::vec3& center) {
     const float polar = angle(ring);  // 0 at the top, π at the bottom
     for (unsigned piece = 0; piece <= around; ++piece) {
       const glm::vec3 normal{std::sin(polar) * std::cos(angle(piece)), std::cos(polar),
                              -std::sin(polar) * std::sin(angle(piece))};
-      add_vertex(mesh, sphere.center + sphere.radius * normal, normal);
+      add_vertex(mesh, center + radius * (frame * normal), frame * normal);
+    }
+  };
+  unsigned last = rings;
+  for (unsigned ring = 0; ring <= rings; ++ring) {
+    add_ring(ring, ring <= rings / 2 ? top : bottom);
+    if (ring == rings / 2 && top != bottom) {
+      add_ring(ring, bottom);
+      ++last;
     }
   }
-  for (unsigned ring = 0; ring < rings; ++ring) {
+  for (unsigned ring = 0; ring < last; ++ring) {
     for (unsigned piece = 0; piece < around; ++piece) {
-      const unsigned top = first + ring * (around + 1) + piece, low = top + around + 1;
+      const unsigned high = first + ring * (around + 1) + piece, low = high + around + 1;
       if (ring > 0) {
-        mesh.triangles.push_back({top, low, top + 1});
+        mesh.triangles.push_back({high, low, high + 1});
       }
-      if (ring + 1 < rings) {
-        mesh.triangles.push_back({top + 1, low, low + 1});
+      if (ring + 1 < last) {
+        mesh.triangles.push_back({high + 1, low, low + 1});
       }
     }
   }
 }
 
+void add(Mesh& mesh, const sim::Sphere& sphere) {
+  add_round(mesh, sphere.center, sphere.center, sphere.radius, glm::mat3(1.f));
+}
+
+/// Three directions at right angles, the second one along the axis.
+glm::mat3 frame_along(const glm::vec3& axis) {
+  const glm::vec3 aside = std::abs(axis.y) < 0.9f ? glm::vec3{0.f, 1.f, 0.f} : glm::vec3{1, 0, 0};
+  const glm::vec3 u = glm::normalize(glm::cross(aside, axis));
+  return {u, axis, glm::cross(u, axis)};
+}
+
+void add(Mesh& mesh, const sim::Capsule& capsule) {
+  add_round(mesh, capsule.from, capsule.to, capsule.radius,
+            frame_along(glm::normalize(capsule.to - capsule.from)));
+}
+
 void add(Mesh& mesh, const sim::Cylinder& cylinder) {
   const glm::vec3 axis = glm::normalize(cylinder.to - cylinder.from);
-  const glm::vec3 aside = std::abs(axis.y) < 0.9f ? glm::vec3{0.f, 1.f, 0.f} : glm::vec3{1, 0, 0};
-  const glm::vec3 u = glm::normalize(glm::cross(aside, axis)), v = glm::cross(axis, u);
+  const glm::mat3 frame = frame_along(axis);
+  const glm::vec3 u = frame[0], v = -frame[2];
   const auto outward = [&](unsigned piece) {
     return std::cos(angle(piece)) * u + std::sin(angle(piece)) * v;
   };
@@ -87,6 +118,73 @@ void add(Mesh& mesh, const sim::Cylinder& cylinder) {
     mesh.triangles.push_back({add_vertex(mesh, cylinder.from, -axis),
                               add_vertex(mesh, cylinder.from + radius * n1, -axis),
                               add_vertex(mesh, cylinder.from + radius * n0, -axis)});
+  }
+}
+
+/// cos of the largest angle between two faces that look like one round surface.
+constexpr float smooth_cosine = 0.8f;
+
+struct Face {
+  glm::vec3 normal{0.f};  // unit
+  glm::vec3 angles{0.f};  // at its corners
+};
+
+Face face_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  Face face;
+  const glm::vec3 normal = glm::cross(b - a, c - a);
+  const float length = glm::length(normal);
+  if (length > 0.f) {
+    face.normal = normal / length;
+    const auto angle_at = [length](const glm::vec3& u, const glm::vec3& v) {
+      return std::atan2(length, glm::dot(u, v));
+    };
+    face.angles = {angle_at(b - a, c - a), angle_at(c - b, a - b), angle_at(a - c, b - c)};
+  }
+  return face;
+}
+
+/// A vertex gets as many normals as there are round surfaces that meet there: for each face the
+/// mean of the faces around the vertex that are not at a sharp angle to it, weighted by their
+/// angles (Thürmer & Wüthrich 1998).
+void add(Mesh& mesh, const sim::TriangleMesh& shape) {
+  const sim::TriangleSurface& surface = shape.body->surface();
+  struct Corner {
+    std::size_t triangle;
+    int number;
+  };
+  std::vector<std::vector<Corner>> corners(surface.vertices.size());
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const glm::uvec3& t = surface.triangles[i];
+    faces.push_back(face_of(surface.vertices[t.x], surface.vertices[t.y], surface.vertices[t.z]));
+    for (int k = 0; k < 3; ++k) {
+      corners[t[k]].push_back({i, k});
+    }
+  }
+  const std::size_t first_triangle = mesh.triangles.size();
+  mesh.triangles.resize(first_triangle + surface.triangles.size());
+  for (std::size_t v = 0; v < corners.size(); ++v) {
+    const std::size_t first_vertex = mesh.vertices.size();
+    for (const Corner& corner : corners[v]) {
+      glm::vec3 sum{0.f};
+      for (const Corner& other : corners[v]) {
+        const Face& face = faces[other.triangle];
+        if (glm::dot(face.normal, faces[corner.triangle].normal) > smooth_cosine) {
+          sum += face.angles[other.number] * face.normal;
+        }
+      }
+      const glm::vec3 normal =
+          sum == glm::vec3{0.f} ? glm::vec3{0.f, 1.f, 0.f} : glm::normalize(sum);
+      std::size_t vertex = first_vertex;
+      while (vertex < mesh.vertices.size() && mesh.normals[vertex] != normal) {
+        ++vertex;
+      }
+      if (vertex == mesh.vertices.size()) {
+        add_vertex(mesh, surface.vertices[v], normal);
+      }
+      mesh.triangles[first_triangle + corner.triangle][corner.number] =
+          static_cast<unsigned>(vertex);
+    }
   }
 }
 

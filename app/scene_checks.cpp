@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "app/estimate.hpp"
+#include "app/scene_fields.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::app {
@@ -44,7 +46,7 @@ class Checker {
     }
   }
 
-  void check_box(const sim::Box& box, const std::string& path) const {
+  void check_shape(const sim::Box& box, const std::string& path) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(box.min[axis] < box.max[axis])) {
         fail(path, fmt::format("min {} is not below max {} in {}", text_of(box.min),
@@ -53,20 +55,26 @@ class Checker {
     }
   }
 
-  void check_shape(const sim::Shape& shape, const std::string& path) const {
-    if (const auto* box = std::get_if<sim::Box>(&shape)) {
-      check_box(*box, child_path(path, "box"));
-    } else if (const auto* cylinder = std::get_if<sim::Cylinder>(&shape)) {
-      if (cylinder->from == cylinder->to) {
-        fail(child_path(path, "cylinder"), "from and to are the same point");
-      }
+  void check_shape(const sim::Sphere&, const std::string&) const {}
+  void check_shape(const sim::TriangleMesh&, const std::string&) const {}  // done when it is read
+
+  template <class Long>  // a cylinder or a capsule
+  void check_shape(const Long& shape, const std::string& path) const {
+    if (shape.from == shape.to) {
+      fail(path, "from and to are the same point");
     }
+  }
+
+  void check_shape(const sim::Shape& shape, const std::string& path) const {
+    std::visit(
+        [&](const auto& one) { check_shape(one, child_path(path, shape_names[shape.index()])); },
+        shape);
   }
 
   void check_domain() const {
     const auto& domain = scene_.simulation.domain;
     const float spacing = scene_.simulation.fluid.spacing;
-    check_box({domain.min, domain.max}, "domain");
+    check_shape(sim::Box{domain.min, domain.max}, "domain");
     for (int axis = 0; axis < 3; ++axis) {
       const float width = domain.max[axis] - domain.min[axis];
       if (width < 4.f * spacing * 0.999f) {

@@ -62,7 +62,8 @@ inline constexpr std::array<std::string_view, 3> value_names<gl::ColorBy>{"speed
                                                                           "pressure"};
 
 /// Keys of the alternatives of sim::Shape, in its order.
-inline constexpr std::array<std::string_view, 3> shape_names{"box", "sphere", "cylinder"};
+inline constexpr std::array<std::string_view, 5> shape_names{"box", "sphere", "cylinder", "capsule",
+                                                             "mesh"};
 
 inline constexpr Range places{-1e5, 1e5};   // m
 inline constexpr Range lengths{1e-6, 1e5};  // m
@@ -87,6 +88,30 @@ inline constexpr auto table<sim::Cylinder> = std::tuple{
     Field{"from", &sim::Cylinder::from, "centre of one end", places, "m", Presence::required},
     Field{"to", &sim::Cylinder::to, "centre of the other end", places, "m", Presence::required},
     Field{"radius", &sim::Cylinder::radius, "radius", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Capsule> = std::tuple{
+    Field{"from", &sim::Capsule::from, "one end of the line that all points are near", places, "m",
+          Presence::required},
+    Field{"to", &sim::Capsule::to, "the line's other end", places, "m", Presence::required},
+    Field{"radius", &sim::Capsule::radius, "largest distance from the line", lengths, "m",
+          Presence::required}};
+
+template <>
+inline constexpr auto table<sim::TriangleMesh> = std::tuple{
+    Field{
+        "file",
+        &sim::TriangleMesh::file,
+        "OBJ or PLY file with a closed surface of triangles; its path from the scene file's folder",
+        {},
+        {},
+        Presence::required},
+    Field{"scale", &sim::TriangleMesh::scale, "size of the file's unit", lengths, "m"},
+    Field{"rotate", &sim::TriangleMesh::rotate,
+          "angles about the x, then the y, then the z axis, after scaling", Range{-360., 360.},
+          "degrees"},
+    Field{"translate", &sim::TriangleMesh::translate, "where the file's origin is put", places,
+          "m"}};
 
 template <>
 inline constexpr auto table<sim::Volume> =

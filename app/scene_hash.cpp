@@ -2,6 +2,7 @@
 
 #include "app/scene.hpp"
 #include "app/scene_values.hpp"
+#include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -21,15 +22,38 @@ Bits128 fnv1a(std::string_view text) {
   return hash;
 }
 
+std::string text_of(Bits128 hash) {
+  return fmt::format("{:016x}{:016x}", static_cast<std::uint64_t>(hash >> 64),
+                     static_cast<std::uint64_t>(hash));
+}
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// Puts what a mesh's file holds, in its place in the scene, where the file's name is.
+void name_by_content(const sim::Shape& shape, Json& json) {
+  if (const auto* mesh = std::get_if<sim::TriangleMesh>(&shape)) {
+    const sim::TriangleSurface& surface = mesh->body->surface();
+    json["mesh"]["file"] = Json::array(
+        {text_of(fnv1a(bytes_of(surface.vertices))), text_of(fnv1a(bytes_of(surface.triangles)))});
+  }
+}
+
 }  // namespace
 
 std::string simulation_hash(const Scene& scene) {
   Json what = json_of(scene.simulation);
+  for (std::size_t i = 0; i < scene.simulation.fluid.volumes.size(); ++i) {
+    name_by_content(scene.simulation.fluid.volumes[i].shape, what["fluid"]["volumes"][i]);
+  }
+  for (std::size_t i = 0; i < scene.simulation.obstacles.size(); ++i) {
+    name_by_content(scene.simulation.obstacles[i].shape, what["obstacles"][i]);
+  }
   what["frames_per_second"] = scene.video.frames_per_second;
   what["particles_version"] = particles_version;
-  const Bits128 hash = fnv1a(what.dump());
-  return fmt::format("{:016x}{:016x}", static_cast<std::uint64_t>(hash >> 64),
-                     static_cast<std::uint64_t>(hash));
+  return text_of(fnv1a(what.dump()));
 }
 
 }  // namespace spindrift::app

@@ -12,6 +12,7 @@
 #include "app/scene_checks.hpp"
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
+#include "app/scene_meshes.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -125,7 +126,8 @@ class SceneReader {
       fail(path, fmt::format("expected one shape out of {}, found {}", fmt::join(shape_names, ", "),
                              given.size()));
     }
-    const sim::Shape shapes[] = {sim::Box{}, sim::Sphere{}, sim::Cylinder{}};
+    const sim::Shape shapes[] = {sim::Box{}, sim::Sphere{}, sim::Cylinder{}, sim::Capsule{},
+                                 sim::TriangleMesh{}};
     static_assert(std::size(shapes) == shape_names.size());
     into = shapes[given[0]];
     const std::string_view name = shape_names[given[0]];
@@ -255,6 +257,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   Scene scene;
   scene.name = source.stem().string();
   SceneReader(document).read(root, "", scene);
+  load_meshes(scene, document, source.parent_path());
   check_scene(scene, document);
   return scene;
 }

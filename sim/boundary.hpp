@@ -6,6 +6,7 @@
 #include "sim/openmp/cell_grid.hpp"
 #include "sim/particles.hpp"
 #include "sim/settings.hpp"
+#include "sim/shapes/surface_sample.hpp"
 
 namespace spindrift::sim {
 
@@ -25,9 +26,10 @@ class Boundary {
   std::size_t memory_bytes() const;
 
  private:
-  void measure_volumes(const Settings& settings, const GridMap& map, const CubicKernel& kernel,
-                       std::size_t wall_count);
-  void measure_solids(const Settings& settings, const CubicKernel& kernel, std::size_t wall_count);
+  void measure_volumes(const Settings& settings, const std::vector<SurfaceSample>& samples,
+                       const GridMap& map, const CubicKernel& kernel, float radius);
+  void measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
+                      const CubicKernel& kernel, float radius);
 
   std::uint32_t count_ = 0;
   VectorField position_;       ///< m

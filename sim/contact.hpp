@@ -18,17 +18,32 @@ struct ContactView {
 
   /// The point itself, or the nearest one that is inside the domain and outside every obstacle, m.
   Vec3<float> resolve(Vec3<float> p) const;
+
+  /// Whether a point is inside the domain and outside every obstacle.
+  bool is_open(Vec3<float> p) const;
 };
 
 /// The nearest point on the surface of a shape for a point inside it; a point outside comes back as
 /// it is.
 Vec3<float> push_out(const Shape& shape, Vec3<float> p);
 
+/// Whether a point is inside a shape.
+bool contains(const Shape& shape, Vec3<float> p);
+
 inline Vec3<float> ContactView::resolve(Vec3<float> p) const {
   for (std::size_t k = 0; k < obstacle_count; ++k)
     p = push_out(obstacles[k].shape, p);
   const auto within = [](float v, float lo, float hi) { return v < lo ? lo : (v > hi ? hi : v); };
   return {within(p.x, min.x, max.x), within(p.y, min.y, max.y), within(p.z, min.z, max.z)};
+}
+
+inline bool ContactView::is_open(Vec3<float> p) const {
+  if (p.x < min.x || p.y < min.y || p.z < min.z || p.x > max.x || p.y > max.y || p.z > max.z)
+    return false;
+  for (std::size_t k = 0; k < obstacle_count; ++k)
+    if (contains(obstacles[k].shape, p))
+      return false;
+  return true;
 }
 
 }  // namespace spindrift::sim

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -23,11 +25,29 @@ struct Cylinder {
   float radius = 0.5f;          ///< m
 };
 
-using Shape = std::variant<Box, Sphere, Cylinder>;
+/// A cylinder with half a ball on each end: all points within `radius` of a line.
+struct Capsule {
+  glm::vec3 from{0.f};          ///< one end of the line, m
+  glm::vec3 to{0.f, 1.f, 0.f};  ///< its other end, m
+  float radius = 0.5f;          ///< m
+};
+
+class MeshBody;
+
+/// A body bounded by triangles that a file holds.
+struct TriangleMesh {
+  std::string file;                      ///< OBJ or PLY
+  float scale = 1.f;                     ///< metres per unit of the file
+  glm::vec3 rotate{0.f};                 ///< about x, then y, then z, after scaling, degrees
+  glm::vec3 translate{0.f};              ///< after rotating, m
+  std::shared_ptr<const MeshBody> body;  ///< what was read, in its place; all that is looked at
+};
+
+using Shape = std::variant<Box, Sphere, Cylinder, Capsule, TriangleMesh>;
 
 /// A region filled with liquid at the start: particles on a lattice of the fluid's spacing. In a
 /// box the first particle centre lies half a spacing inside `min`; in other shapes the lattice is
-/// centred on them.
+/// centred on them, in a mesh so that its bounds hold whole cells.
 struct Volume {
   Shape shape = Box{};
   glm::vec3 velocity{0.f};  ///< initial velocity, m/s
@@ -70,7 +90,7 @@ struct SolverSettings {
   SolverType type = SolverType::pcisph;
   PressureKernel pressure_kernel = PressureKernel::cubic;
   float max_compression =
-      0.02f;  ///< PCISPH: largest ρ/ρ₀ − 1 left over by any step; (1e-4 ... 0.5)
+      0.025f;  ///< PCISPH: largest ρ/ρ₀ − 1 left over by any step; (1e-4 ... 0.5)
   float mean_compression =
       0.001f;  ///< PCISPH: mean of max(0, ρ/ρ₀ − 1) left over by any step; (1e-5 ... 0.5)
   int min_iterations = 1;   ///< PCISPH: pressure iterations per step, at least

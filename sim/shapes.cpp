@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sim/contact.hpp"
+#include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -30,9 +31,25 @@ std::vector<glm::vec3> fill_box(const Box& box, float d) {
   return points;
 }
 
-/// Lattice centred on `center`, kept where inside(p) holds.
-template <class Inside>
-std::vector<glm::vec3> fill_centred(const Box& bounds, glm::vec3 center, float d, Inside inside) {
+/// One point of a shape's lattice, near its middle.
+glm::vec3 lattice_center(const Shape& shape, float d) {
+  return std::visit(Overloaded{[](const Sphere& s) { return s.center; },
+                               [&](const TriangleMesh& m) {
+                                 const Box& bounds = m.body->bounds();
+                                 glm::vec3 center = 0.5f * (bounds.min + bounds.max);
+                                 for (int axis = 0; axis < 3; ++axis)
+                                   if (cells_along(bounds.max[axis] - bounds.min[axis], d) % 2 == 0)
+                                     center[axis] -= 0.5f * d;
+                                 return center;
+                               },
+                               [](const Box& b) { return 0.5f * (b.min + b.max); },
+                               [](const auto& s) { return 0.5f * (s.from + s.to); }},
+                    shape);
+}
+
+/// Lattice of which `center` is one point, as far as it is inside the shape.
+std::vector<glm::vec3> fill_centred(const Shape& shape, glm::vec3 center, float d) {
+  const Box bounds = bounds_of(shape);
   const glm::vec3 half = 0.5f * (bounds.max - bounds.min) / d;
   const glm::ivec3 n(glm::ceil(half));
   std::vector<glm::vec3> points;
@@ -40,7 +57,7 @@ std::vector<glm::vec3> fill_centred(const Box& bounds, glm::vec3 center, float d
     for (int j = -n.y; j <= n.y; ++j)
       for (int i = -n.x; i <= n.x; ++i) {
         const glm::vec3 p = center + d * glm::vec3(i, j, k);
-        if (inside(p))
+        if (contains(shape, {p.x, p.y, p.z}))
           points.push_back(p);
       }
   return points;
@@ -66,26 +83,37 @@ std::vector<glm::vec3> box_surface(glm::vec3 min, glm::vec3 max, float d) {
   return points;
 }
 
-/// A spiral with equal area per point: height falls evenly, the angle grows by the golden angle.
-std::vector<glm::vec3> sphere_surface(glm::vec3 center, float radius, float d) {
-  const double area = 4 * std::numbers::pi * radius * radius;
+/// Two directions across an axis of unit length.
+std::pair<glm::vec3, glm::vec3> across(glm::vec3 axis) {
+  const glm::vec3 helper = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 u = glm::normalize(glm::cross(axis, helper));
+  return {u, glm::cross(axis, u)};
+}
+
+/// Surface of a capsule `length` long between the centres of its ends, or of a ball where that is
+/// 0. A spiral with equal area per point: the height along the axis falls evenly, since a zone of a
+/// ball has the area of a cylinder's (Archimedes), and the angle grows by the golden angle.
+/// @param frame three directions at right angles; the second is the axis
+std::vector<glm::vec3> round_surface(glm::vec3 center, const glm::mat3& frame, float length,
+                                     float radius, float d) {
+  const double half = length / (2. * radius);  // in radii
+  const double area = 4 * std::numbers::pi * radius * radius * (1 + half);
   const int n = std::max(1, static_cast<int>(std::lround(area / (d * d))));
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   std::vector<glm::vec3> points;
   for (int k = 0; k < n; ++k) {
-    const double y = 1 - (2 * k + 1) / static_cast<double>(n);
-    const double ring = std::sqrt(1 - y * y), angle = golden_angle * k;
-    points.push_back(center +
-                     radius * glm::vec3(ring * std::cos(angle), y, ring * std::sin(angle)));
+    const double y = (1 + half) * (1 - (2 * k + 1) / static_cast<double>(n));
+    const double beyond = std::max(0., std::abs(y) - half);
+    const double ring = std::sqrt(1 - beyond * beyond), angle = golden_angle * k;
+    const glm::vec3 place(ring * std::cos(angle), y, ring * std::sin(angle));
+    points.push_back(center + radius * (frame * place));
   }
   return points;
 }
 
 /// Rings up the side and concentric rings on both ends.
 std::vector<glm::vec3> cylinder_surface(glm::vec3 from, glm::vec3 to, float radius, float d) {
-  const glm::vec3 axis = glm::normalize(to - from);
-  const glm::vec3 helper = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 u = glm::normalize(glm::cross(axis, helper)), v = glm::cross(axis, u);
+  const auto [u, v] = across(glm::normalize(to - from));
   std::vector<glm::vec3> points;
   const auto add_ring = [&](glm::vec3 center, float r) {
     const int n = std::max(1, static_cast<int>(std::lround(2 * std::numbers::pi * r / d)));
@@ -107,48 +135,47 @@ std::vector<glm::vec3> cylinder_surface(glm::vec3 from, glm::vec3 to, float radi
   return points;
 }
 
-glm::vec3 to_glm(const Vec3<float>& p) {
-  return {p.x, p.y, p.z};
-}
-
 }  // namespace
 
 std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing) {
-  return std::visit(Overloaded{[&](const Box& b) { return fill_box(b, spacing); },
-                               [&](const auto& s) {
-                                 const Box bounds = bounds_of(shape);
-                                 glm::vec3 center;
-                                 if constexpr (requires { s.center; })
-                                   center = s.center;
-                                 else
-                                   center = 0.5f * (s.from + s.to);
-                                 return fill_centred(bounds, center, spacing, [&](glm::vec3 p) {
-                                   return to_glm(push_out(shape, {p.x, p.y, p.z})) != p;
-                                 });
-                               }},
-                    shape);
+  if (const Box* box = std::get_if<Box>(&shape))
+    return fill_box(*box, spacing);
+  return fill_centred(shape, lattice_center(shape, spacing), spacing);
 }
 
-std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing) {
+std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing) {
+  if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&shape))
+    return mesh->body->sample(spacing);
   const float inset = 0.5f * spacing;
-  return std::visit(
+  const auto below = [inset](float radius) { return std::max(radius - inset, 0.1f * radius); };
+  const auto points = std::visit(
       Overloaded{[&](const Box& b) {
                    const glm::vec3 most = 0.5f * (b.max - b.min);
                    const glm::vec3 in = glm::min(glm::vec3(inset), most);
                    return box_surface(b.min + in, b.max - in, spacing);
                  },
                  [&](const Sphere& s) {
-                   return sphere_surface(s.center, std::max(s.radius - inset, 0.1f * s.radius),
-                                         spacing);
+                   return round_surface(s.center, glm::mat3(1), 0, below(s.radius), spacing);
                  },
                  [&](const Cylinder& c) {
                    const glm::vec3 axis = c.to - c.from;
                    const float length = glm::length(axis);
                    const glm::vec3 in = axis * (std::min(inset, 0.4f * length) / length);
-                   return cylinder_surface(c.from + in, c.to - in,
-                                           std::max(c.radius - inset, 0.1f * c.radius), spacing);
-                 }},
+                   return cylinder_surface(c.from + in, c.to - in, below(c.radius), spacing);
+                 },
+                 [&](const Capsule& c) {
+                   const float length = glm::length(c.to - c.from);
+                   const glm::vec3 axis = (c.to - c.from) / length;
+                   const auto [u, v] = across(axis);
+                   return round_surface(0.5f * (c.from + c.to), {u, axis, v}, length,
+                                        below(c.radius), spacing);
+                 },
+                 [](const TriangleMesh&) { return std::vector<glm::vec3>(); }},
       shape);
+  std::vector<SurfaceSample> samples;
+  for (const glm::vec3& p : points)
+    samples.push_back({p});
+  return samples;
 }
 
 std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing) {
@@ -170,7 +197,11 @@ Box bounds_of(const Shape& shape) {
                    const glm::vec3 axis = glm::normalize(c.to - c.from);
                    const glm::vec3 reach = c.radius * glm::sqrt(glm::max(1.f - axis * axis, 0.f));
                    return Box{glm::min(c.from, c.to) - reach, glm::max(c.from, c.to) + reach};
-                 }},
+                 },
+                 [](const Capsule& c) {
+                   return Box{glm::min(c.from, c.to) - c.radius, glm::max(c.from, c.to) + c.radius};
+                 },
+                 [](const TriangleMesh& m) { return m.body->bounds(); }},
       shape);
 }
 
@@ -211,8 +242,27 @@ Vec3<float> push_out(const Shape& shape, Vec3<float> p) {
                      return from_glm(c.from + along * axis + c.radius * n);
                    }
                    return from_glm(below <= above ? q - below * axis : q + above * axis);
-                 }},
+                 },
+                 [&](const Capsule& c) {
+                   const glm::vec3 axis = c.to - c.from;
+                   const float along = glm::dot(q - c.from, axis) / glm::dot(axis, axis);
+                   const glm::vec3 nearest = c.from + glm::clamp(along, 0.f, 1.f) * axis;
+                   const glm::vec3 offset = q - nearest;
+                   const float r = glm::length(offset);
+                   if (r >= c.radius)
+                     return p;
+                   const glm::vec3 n = r > 0 ? offset / r : across(glm::normalize(axis)).first;
+                   return from_glm(nearest + c.radius * n);
+                 },
+                 [&](const TriangleMesh& m) { return from_glm(m.body->push_out(q)); }},
       shape);
+}
+
+bool contains(const Shape& shape, Vec3<float> p) {
+  if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&shape))
+    return mesh->body->contains({p.x, p.y, p.z});
+  const Vec3<float> moved = push_out(shape, p) - p;
+  return dot(moved, moved) > 0;
 }
 
 }  // namespace spindrift::sim

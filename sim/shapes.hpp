@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/settings.hpp"
+#include "sim/shapes/surface_sample.hpp"
 
 namespace spindrift::sim {
 
@@ -12,8 +13,8 @@ namespace spindrift::sim {
 /// half a spacing inside its lowest corner; in other shapes the lattice is centred.
 std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing);
 
-/// Points on the surface of an obstacle, half a spacing below it, about one per spacing², m.
-std::vector<glm::vec3> sample_surface(const Shape& shape, float spacing);
+/// Points below the surface of an obstacle, half a spacing deep, about one per spacing².
+std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing);
 
 /// Points on the walls of the domain, half a spacing outside its faces, on a lattice that is
 /// aligned with the liquid's where the domain is a whole number of spacings wide, m.

@@ -84,6 +84,10 @@ case $part in
     expect 2 "-1 is out of range; accepted: 1e-06 ... 100 m" check "$folder/scene.json"
     scene_with '{"fluid": '
     expect 2 "scene.json:2:1: not valid JSON" check "$folder/scene.json"
+    scene_with '{"obstacles": [{"mesh": {"file": "cup.obj"}}]}'
+    expect 2 "scene.json:1:26: obstacles[0].mesh.file: $folder/cup.obj: there is no such file" check "$folder/scene.json"
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$folder/cup.obj"
+    expect 2 "is not closed: 3 edges are without a neighbour" render "$folder/scene.json"
     __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null \
       expect 3 "libgl1-mesa-dri" render scenes/dam_break.json --frames 0:0 -o "$folder/no_egl"
     __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 "none: no EGL device" info

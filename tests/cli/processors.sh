@@ -15,11 +15,15 @@ better=glibc-hwcaps/x86-64-v3/libspindrift_sim
 [[ $("$loader" "${mask[@]}" --list "$program") == *"$better"* ]] && fail "the mask has no effect"
 plain=("$loader" "${mask[@]}" "$program")
 
+cp "${BASH_SOURCE[0]%/*}/../../scenes/knot.obj" "$folder"
 cat >"$folder/scene.json" <<'JSON'
 {
   "fluid": {"spacing": 0.05, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.4, 0.7, 0.5]}}]},
   "domain": {"min": [0, 0, 0], "max": [1, 1, 0.5]},
-  "obstacles": [{"sphere": {"center": [0.7, 0.1, 0.25], "radius": 0.15}}],
+  "obstacles": [
+    {"sphere": {"center": [0.7, 0.1, 0.25], "radius": 0.15}},
+    {"mesh": {"file": "knot.obj", "scale": 0.15, "rotate": [30, 20, 10], "translate": [0.75, 0.3, 0.25]}}
+  ],
   "video": {"width": 160, "height": 96, "duration": 0.4}
 }
 JSON

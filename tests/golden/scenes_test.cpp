@@ -125,6 +125,9 @@ TEST_CASE("a frame of the tank at rest is the golden one", "[slow]") {
 TEST_CASE("a frame of the dropping ball is the golden one", "[slow]") {
   check(entries().at(5));
 }
+TEST_CASE("a frame of the sheet on the knot is the golden one", "[slow]") {
+  check(entries().at(6));
+}
 
 TEST_CASE("a moved light, a missing obstacle and a weaker gravity are seen", "[slow]") {
   const fs::path golden_file = source / "tests/golden/scenes/dam_break.png";

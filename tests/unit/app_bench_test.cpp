@@ -113,7 +113,7 @@ TEST_CASE("the plane has every combination once, with a scene's values times the
   CHECK(count([](float, const Solver& s) { return s.type == sim::SolverType::sph; }) == 12);
   CHECK(count([](float, const Solver& s) {
           return s.type == sim::SolverType::pcisph && s.mean_compression == 0.004f &&
-                 s.max_compression == 0.08f;
+                 s.max_compression == 0.1f;
         }) == 4);
   // Compression goes with 1 / speed of sound²: a fourth of it takes twice the speed.
   CHECK(count([](float, const Solver& s) {
@@ -225,7 +225,7 @@ TEST_CASE("CSV and JSON have the same columns; what was not measured is empty") 
   for (const auto& [key, value] : json[0].items())
     keys += (keys.empty() ? "" : ",") + key;
   CHECK(header == keys);
-  CHECK(first.find("plane,\"a, \"\"b\"\"\",pcisph,0.1,0.001,0.02,") == 0);
+  CHECK(first.find("plane,\"a, \"\"b\"\"\",pcisph,0.1,0.001,0.025,") == 0);
   CHECK(second.find("\"needs about 3 GB, 1 GB are free\"") != std::string::npos);
   CHECK(json[0].at("wall_s_per_simulated_s") == 2);
   CHECK(json[0].at("mean_compression") == 0.001);

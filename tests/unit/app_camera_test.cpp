@@ -133,7 +133,9 @@ TEST_CASE("obstacle meshes are closed, face outward and hold the shape's volume"
   const std::vector<sim::Shape> shapes{sim::Box{{-1.f, 0.f, 2.f}, {1.f, 0.5f, 3.f}},
                                        sim::Sphere{{1.f, 2.f, 3.f}, 0.5f},
                                        sim::Cylinder{{0.f, 0.f, 0.f}, {0.f, 1.f, 0.f}, 0.3f},
-                                       sim::Cylinder{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f}};
+                                       sim::Cylinder{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f},
+                                       sim::Capsule{{0.f, 0.f, 0.f}, {0.f, 1.f, 0.f}, 0.3f},
+                                       sim::Capsule{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f}};
   for (const sim::Shape& shape : shapes) {
     INFO("shape " << shape.index());
     const Mesh mesh = mesh_of(shape);

@@ -2,12 +2,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "sample_support.hpp"
 #include "sim/boundary.hpp"
 #include "sim/contact.hpp"
 #include "sim/shapes.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift::sim;
+using spindrift::test::positions;
 
 namespace {
 
@@ -37,6 +39,8 @@ TEST_CASE("a ball and a cylinder hold their volume of particles") {
     CHECK(glm::length(p - glm::vec3(0, 1, 0)) <= 0.5f);
   const auto rod = fill_shape(Cylinder{{0, 0, 0}, {1, 0, 0}, 0.3f}, d);
   CHECK(static_cast<float>(rod.size()) * cell == Approx(3.14159f * 0.09f).epsilon(0.1));
+  const auto pill = fill_shape(Capsule{{0, 0, 0}, {1, 0, 0}, 0.3f}, d);
+  CHECK(static_cast<float>(pill.size()) * cell == Approx(3.14159f * 0.09f * 1.4f).epsilon(0.03));
 }
 
 TEST_CASE("liquid resting against walls, edges and corners has the rest density") {
@@ -62,16 +66,36 @@ TEST_CASE("wall samples lie half a spacing outside the domain, one layer deep, e
 TEST_CASE("obstacle samples lie half a spacing below the surface, about one per spacing squared") {
   const Sphere ball{{0.2f, 0.3f, 0.4f}, 0.5f};
   const auto samples = sample_surface(ball, 0.05f);
-  for (const auto p : samples)
+  for (const glm::vec3 p : positions(samples))
     CHECK(glm::length(p - ball.center) == Approx(0.475f).epsilon(1e-4));
   CHECK(static_cast<double>(samples.size()) ==
         Approx(4 * 3.14159 * 0.475 * 0.475 / 0.0025).epsilon(0.02));
 }
 
+TEST_CASE("a capsule's samples lie half a spacing below its surface, evenly") {
+  const float d = 0.05f;
+  const Capsule capsule{{0.1f, 0.2f, 0.3f}, {1, 0.5f, -0.4f}, 0.2f};
+  const auto samples = positions(sample_surface(capsule, d));
+  for (const auto p : samples) {
+    const glm::vec3 axis = capsule.to - capsule.from;
+    const float along = glm::dot(p - capsule.from, axis) / glm::dot(axis, axis);
+    const glm::vec3 nearest = capsule.from + glm::clamp(along, 0.f, 1.f) * axis;
+    CHECK(glm::length(p - nearest) == Approx(0.175f).epsilon(1e-4));
+  }
+  // The same layer, sampled ten times as finely.
+  Capsule thinner = capsule;
+  thinner.radius = 0.175f + 0.05f * d;
+  const auto s = spindrift::test::spread(samples, positions(sample_surface(thinner, 0.1f * d)));
+  CHECK(s.closest > 0.6f * d);
+  CHECK(s.loneliest < 1.4f * d);
+  CHECK(s.hole < d);
+}
+
 TEST_CASE("contact leaves points in the open alone and takes others to the nearest surface") {
   const std::vector<Obstacle> obstacles{{Box{{1, 0, 1}, {2, 1, 2}}},
                                         {Sphere{{4, 1, 1}, 0.5f}},
-                                        {Cylinder{{6, 0, 1}, {6, 2, 1}, 0.5f}}};
+                                        {Cylinder{{6, 0, 1}, {6, 2, 1}, 0.5f}},
+                                        {Capsule{{7, 1, 1}, {7, 2, 1}, 0.5f}}};
   const ContactView contact{{0, 0, 0}, {8, 4, 3}, obstacles.data(), obstacles.size()};
   const auto at = [&](float x, float y, float z) {
     const Vec3<float> p = contact.resolve({x, y, z});
@@ -83,4 +107,10 @@ TEST_CASE("contact leaves points in the open alone and takes others to the neare
   CHECK(at(1.1f, 0.5f, 1.5f) == glm::vec3(1, 0.5f, 1.5f));
   CHECK(glm::length(at(4.1f, 1, 1) - glm::vec3(4.5f, 1, 1)) < 1e-6f);
   CHECK(glm::length(at(6, 0.6f, 1.3f) - glm::vec3(6, 0.6f, 1.5f)) < 1e-6f);
+  CHECK(glm::length(at(7, 1.6f, 1.3f) - glm::vec3(7, 1.6f, 1.5f)) < 1e-6f);
+  CHECK(glm::length(at(7, 2.3f, 1) - glm::vec3(7, 2.5f, 1)) < 1e-6f);
+  CHECK(glm::length(at(7, 0.8f, 1.1f) -
+                    (glm::vec3(7, 1, 1) + 0.5f * glm::normalize(glm::vec3(0, -2, 1)))) < 1e-6f);
+  CHECK(at(7, 2.4f, 1.4f) == glm::vec3(7, 2.4f, 1.4f));
+  CHECK(glm::length(at(7, 1.5f, 1) - glm::vec3(7, 1.5f, 1)) == Approx(0.5f));
 }

@@ -1,0 +1,14 @@
+// Triangles from OBJ and PLY files.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/shapes/triangle_tree.hpp"
+
+namespace spindrift::app {
+
+/// The triangles of a file as they are there, polygons cut up; in the file's own unit.
+/// @throws MeshError when the file is missing, of another kind, or can't be read
+sim::TriangleSurface read_mesh_file(const std::filesystem::path& file);
+
+}  // namespace spindrift::app

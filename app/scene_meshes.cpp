@@ -1,0 +1,101 @@
+#include "app/scene_meshes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+
+#include "app/closed_surface.hpp"
+#include "app/mesh_file.hpp"
+#include "sim/shapes/mesh_body.hpp"
+
+namespace spindrift::app {
+namespace {
+
+/// A mesh wider than this is more likely in another unit than meant to be so.
+constexpr float most_domains = 10.f;
+constexpr float most_spacings = 2000.f;
+
+float widest(const sim::Box& box) {
+  const glm::vec3 size = box.max - box.min;
+  return std::max({size.x, size.y, size.z});
+}
+
+/// Scaled, rotated about x, y and z in this order, and moved.
+void place(sim::TriangleSurface& surface, const sim::TriangleMesh& mesh) {
+  const glm::dvec3 angles = glm::radians(glm::dvec3(mesh.rotate));
+  glm::dmat4 turn(1.);
+  for (const int axis : {2, 1, 0}) {
+    glm::dvec3 direction(0.);
+    direction[axis] = 1.;
+    turn = glm::rotate(turn, angles[axis], direction);
+  }
+  for (glm::vec3& v : surface.vertices) {
+    const glm::dvec3 scaled = double{mesh.scale} * glm::dvec3(v);
+    v = glm::vec3(glm::dmat3(turn) * scaled + glm::dvec3(mesh.translate));
+  }
+}
+
+class MeshLoader {
+ public:
+  MeshLoader(const Scene& scene, const SceneDocument& document, std::filesystem::path folder)
+      : spacing_(scene.simulation.fluid.spacing),
+        domain_{scene.simulation.domain.min, scene.simulation.domain.max},
+        document_(document),
+        folder_(std::move(folder)) {}
+
+  void load(sim::Shape& shape, const std::string& owner) const {
+    auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
+    if (!mesh) {
+      return;
+    }
+    const std::string path = child_path(owner, "mesh");
+    const std::filesystem::path file = folder_ / mesh->file;
+    sim::TriangleSurface surface;
+    try {
+      surface = closed_surface(read_mesh_file(file));
+    } catch (const MeshError& error) {
+      fail(child_path(path, "file"), fmt::format("{}: {}", file.string(), error.what()));
+    }
+    place(surface, *mesh);
+    check_size(surface, path);
+    mesh->body = std::make_shared<const sim::MeshBody>(std::move(surface), spacing_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
+    throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
+  }
+
+  void check_size(const sim::TriangleSurface& surface, const std::string& path) const {
+    const float width = widest(sim::bounds_of(surface));
+    const float most = std::min(most_domains * widest(domain_), most_spacings * spacing_);
+    if (most > 0.f && !(width >= spacing_ && width <= most)) {
+      fail(path, fmt::format("{:g} m wide; accepted: {:g} ... {:g} m, from one particle spacing to "
+                             "{:g} domain widths or {:g} spacings (scale sets the file's unit)",
+                             width, spacing_, most, most_domains, most_spacings));
+    }
+  }
+
+  float spacing_;
+  sim::Box domain_;
+  const SceneDocument& document_;
+  std::filesystem::path folder_;
+};
+
+}  // namespace
+
+void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder) {
+  const MeshLoader loader(scene, document, folder);
+  auto& volumes = scene.simulation.fluid.volumes;
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    loader.load(volumes[i].shape, child_path("fluid.volumes", i));
+  }
+  auto& obstacles = scene.simulation.obstacles;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    loader.load(obstacles[i].shape, child_path("obstacles", i));
+  }
+}
+
+}  // namespace spindrift::app

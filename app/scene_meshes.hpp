@@ -1,0 +1,15 @@
+// Meshes that a scene names, read and put in their places.
+#pragma once
+
+#include <filesystem>
+
+#include "app/scene.hpp"
+#include "app/scene_document.hpp"
+
+namespace spindrift::app {
+
+/// Reads the mesh files of all volumes and obstacles. @param folder that their paths start from
+/// @throws SceneError that names the value's place
+void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
+
+}  // namespace spindrift::app

@@ -1,0 +1,22 @@
+// A point that stands for a piece of a solid's surface.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace spindrift::sim {
+
+struct SurfaceSample {
+  /// What the sample stands for.
+  enum class Side {
+    domain,  ///< a wall of the domain: a lattice along flat faces, bent at their edges
+    around,  ///< the surface near it
+    one,     ///< one side of a thin wall, that of the normal; a second layer stands for the other
+    both,    ///< both sides of a wall so thin that there is a single layer, in its middle
+  };
+
+  glm::vec3 position;  ///< m
+  Side side = Side::around;
+  glm::vec3 normal{0.f};  ///< out of a thin wall, unit; else 0
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,54 @@
+// Triangles in a tree of boxes.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace spindrift::sim {
+
+/// Triangles with shared vertices, counter-clockwise seen from outside the body that they bound.
+struct TriangleSurface {
+  std::vector<glm::vec3> vertices;    ///< m
+  std::vector<glm::uvec3> triangles;  ///< indices into `vertices`
+};
+
+/// Finds what is nearest to a point, and whether the point is inside.
+class TriangleTree {
+ public:
+  /// @param surface at least one triangle
+  explicit TriangleTree(const TriangleSurface& surface);
+
+  struct Nearest {
+    glm::vec3 point;         ///< on the surface, m
+    float distance;          ///< m
+    std::uint32_t triangle;  ///< its number in the tree
+  };
+  /// The surface's point nearest to p.
+  /// @param guess the nearest triangle of a point close by, which makes it faster
+  /// @param tolerance by which part the distance may be too large; some makes it much faster midway
+  /// between many triangles, as in the centre of a ball
+  Nearest nearest(const glm::vec3& p, std::uint32_t guess = 0, float tolerance = 0) const;
+
+  /// How often the surface winds around p: 0 outside, 1 inside; more where closed surfaces overlap.
+  /// Exact, whichever way the triangles meet, when each edge is passed as often in one direction as
+  /// in the other.
+  int winding_number(const glm::vec3& p) const;
+
+ private:
+  struct Triangle {
+    glm::vec3 a, b, c;
+  };
+  /// A leaf holds triangles first ... first + count; a node with count 0 has its children at the
+  /// next place and at `first`.
+  struct Node {
+    glm::vec3 low, high;
+    std::uint32_t first, count;
+  };
+  void build(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace spindrift::sim
