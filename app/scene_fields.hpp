@@ -125,6 +125,11 @@ inline constexpr auto table<sim::FluidSettings> = std::tuple{
     Field{"rest_density", &sim::FluidSettings::rest_density, "density of the liquid at rest",
           Range{1e-3, 1e5}, "kg/m³"},
     Field{"viscosity", &sim::FluidSettings::viscosity, "dynamic viscosity", Range{0., 1e4}, "Pa·s"},
+    Field{"wall_viscosity", &sim::FluidSettings::wall_viscosity,
+          "with which walls and obstacles hold the liquid back; 0: it slips; as much as viscosity: "
+          "it "
+          "sticks (no-slip)",
+          Range{0., 1e4}, "Pa·s"},
     Field{"volumes", &sim::FluidSettings::volumes,
           "regions filled with liquid at the start; a box's outermost particle centres lie half a "
           "spacing inside its faces"}};

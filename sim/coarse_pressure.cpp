@@ -12,14 +12,6 @@ namespace {
 /// density than its pressure can hold it up, by this ratio.
 constexpr float slack = 0.03f;
 
-/// (1 − r²/H²)², without its scale.
-template <class Real>
-Real conductance_shape(Real squared_distance, float inverse_squared_radius) {
-  const Real c = 1.f - squared_distance * inverse_squared_radius;
-  const Real zero = squared_distance * 0.f;
-  return c > 0.f ? c * c : zero;
-}
-
 /// Weights of the three cells around by the quadratic B-spline; `place` in cells.
 std::array<float, 3> spline_weights(float place) {
   const float t = place - std::floor(place) - 0.5f;
@@ -34,18 +26,16 @@ Lanes consecutive(const float* a) {
 
 }  // namespace
 
-CoarsePressure::CoarsePressure(const FluidConstants& constants) {
-  const float radius = constants.support_radius;
-  inverse_squared_radius_ = 1 / (radius * radius);
+CoarsePressure::CoarsePressure(const FluidConstants& constants)
+    : kernel_(constants.spacing, constants.support_radius) {
   double all = 0, squared_x = 0, abs_x = 0;
-  for_lattice_points(constants.spacing, radius, [&](const Vec3<float>& p) {
-    const double w = conductance_shape(dot(p, p), inverse_squared_radius_);
+  for_lattice_points(constants.spacing, constants.support_radius, [&](const Vec3<float>& p) {
+    const double w = kernel_.weight(dot(p, p));
     all += w;
     squared_x += w * p.x * p.x;
     abs_x += w * std::abs(p.x);
   });
-  conductance_scale_ = static_cast<float>(2 / squared_x);
-  lattice_conductance_ = static_cast<float>(all) * conductance_scale_;
+  lattice_conductance_ = static_cast<float>(all);
   // Pressure that falls linearly drops, across a plane, by the distance of a pair of particles; by
   // a whole cell where it is flat in cells. The pairs that cross a plane are as many as they are
   // long.
@@ -126,13 +116,12 @@ float CoarsePressure::conductance_between(const StepContext& s, std::uint32_t a,
     for (std::uint32_t j = begin; j < end; j += lane_count) {
       const Vec3<Lanes> d{xi.x - consecutive(x.x + j), xi.y - consecutive(x.y + j),
                           xi.z - consecutive(x.z + j)};
-      const Lanes w =
-          conductance_shape(dot(d, d), inverse_squared_radius_) * consecutive(active + j);
+      const Lanes w = kernel_.weight(dot(d, d)) * consecutive(active + j);
       const Lanes zero{};
       total += lane < static_cast<std::int32_t>(end - j) ? w : zero;
     }
   }
-  return conductance_scale_ * reduce(total);
+  return reduce(total);
 }
 
 float CoarsePressure::conductance_to_walls(const StepContext& s, std::uint32_t cell) const {
@@ -142,10 +131,10 @@ float CoarsePressure::conductance_to_walls(const StepContext& s, std::uint32_t c
     const Vec3<float> xi = x[i];
     sum += active_[i] * s.boundary.neighbours.sum(i, [&](auto b) {
       const auto d = xi - s.boundary.position[b];
-      return load(s.boundary.volume, b) * conductance_shape(dot(d, d), inverse_squared_radius_);
+      return load(s.boundary.volume, b) * kernel_.weight(dot(d, d));
     });
   }
-  return conductance_scale_ / s.constants.volume * sum;
+  return sum / s.constants.volume;
 }
 
 /// A boundary sample has the pressure of the particle nearest to it, and adds its residual there.

@@ -4,11 +4,10 @@
 // equation is solved across the whole liquid at once.
 //
 // The cells are aggregates of their particles: pressure is one number per cell, and a cell's
-// residual the sum of its particles'. Between particles i and j the pressure Laplacian is a
-// conductance w(|xᵢ − xⱼ|) > 0 with Σⱼ w x² = 2 over a full lattice, so that Σⱼ wᵢⱼ (pⱼ − pᵢ) is
-// ∇²p (Brookshaw 1985 has this form); between cells it is the sum over their pairs. What a
-// particle's neighbourhood lacks is free surface, where pressure is zero. The solution is
-// interpolated by quadratic B-splines, which leave no kinks for the particles to mend.
+// residual the sum of its particles'. In ∇²p = Σⱼ wᵢⱼ (pⱼ − pᵢ) two particles have a conductance
+// wᵢⱼ between them; between cells it is the sum over their pairs. What a particle's neighbourhood
+// lacks is free surface, where pressure is zero. The solution is interpolated by quadratic
+// B-splines, which leave no kinks for the particles to mend.
 #pragma once
 
 #include <array>
@@ -56,12 +55,11 @@ class CoarsePressure {
   float applied(std::uint32_t cell, const std::vector<float>& u) const;
 
   GridMap map_;
-  float inverse_squared_radius_;  ///< 1/H², 1/m²
-  float conductance_scale_;       ///< of w, 1/m²
-  float lattice_conductance_;     ///< Σ w over a full lattice, the particle itself included, 1/m²
-  float aggregate_factor_;   ///< how much too stiff pressure is by being flat in cells, per their
-                             ///< size, 1/m
-  std::uint32_t count_ = 0;  ///< cells
+  DiffusionKernel kernel_;
+  float lattice_conductance_;  ///< Σ w over a full lattice, the particle itself included, 1/m²
+  float aggregate_factor_;     ///< how much too stiff pressure is by being flat in cells, per their
+                               ///< size, 1/m
+  std::uint32_t count_ = 0;    ///< cells
 
   ScalarField active_;                   ///< per particle: 1 or 0
   std::vector<std::int32_t> neighbour_;  ///< slots per cell; −1 where there is none

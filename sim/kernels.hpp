@@ -1,5 +1,5 @@
 // Smoothing kernels, all zero from r = H on, H the support radius.
-//   cubic spline: Monaghan 2005; spiky and viscosity: Müller, Charypar, Gross 2003, eqs. 21 and 22.
+//   cubic spline: Monaghan 2005; spiky: Müller, Charypar, Gross 2003, eq. 21.
 // Gradients are given as ∇W / r⃗ (a scalar): ∇W(r⃗) = gradient(r) r⃗, with r⃗ = xᵢ − xⱼ. They are
 // negative. Every function takes one distance (float) or eight (Lanes) and is free of branches.
 #pragma once
@@ -66,33 +66,6 @@ struct SpikyKernel {
     const Real zero = r * 0.f;
     const Real slope = -3.f * scale * c * c / r;
     return c > 0.f ? (r > 0.f ? slope : zero) : zero;
-  }
-};
-
-struct ViscosityKernel {
-  float support_radius;  ///< H, m
-  float value_scale;     ///< 15/(2πH³)
-  float scale;           ///< 45/(πH⁶)
-
-  explicit ViscosityKernel(float radius) : support_radius(radius) {
-    const double h = radius;
-    value_scale = static_cast<float>(15 / (2 * std::numbers::pi * h * h * h));
-    scale = static_cast<float>(45 / (std::numbers::pi * h * h * h * h * h * h));
-  }
-
-  /// Infinite at r = 0.
-  template <class Real>
-  Real value(Real r) const {
-    const Real q = r / support_radius;
-    const Real zero = r * 0.f;
-    return value_scale * (q < 1.f ? q * q * (1.f - 0.5f * q) + 0.5f / q - 1.f : zero);
-  }
-
-  template <class Real>
-  Real laplacian(Real r) const {
-    const Real c = support_radius - r;
-    const Real zero = r * 0.f;
-    return scale * (c > 0.f ? c : zero);
   }
 };
 

@@ -25,11 +25,12 @@ constexpr float largest_correction = 0.4f;
 /// How far the iteration is from its end.
 struct Residual {
   double compression = 0;  ///< Σ ρ/ρ₀ − 1 over compressed particles
-  double expansion = 0;    ///< Σ 1 − ρ/ρ₀ over expanded ones, as far as pressure holds it up
-  float largest = 0;       ///< ρ/ρ₀ − 1
+  double error = 0;  ///< Σ of how far ρ/ρ₀ is from what is wanted, above it, or below it as far
+                     ///< as pressure holds it up
+  float largest = 0;  ///< ρ/ρ₀ − 1
   void join(const Residual& other) {
     compression += other.compression;
-    expansion += other.expansion;
+    error += other.error;
     largest = std::max(largest, other.largest);
   }
 };
@@ -75,6 +76,10 @@ class Pcisph : public PressureSolver {
 
   float time_step_limit() const override { return settings_.max_time_step; }
 
+  std::size_t memory_bytes() const override {
+    return coarse_.memory_bytes() + acceleration_.memory_bytes() + wet_compression_.memory_bytes();
+  }
+
  private:
   /// δ of eq. 8 for a full lattice neighbourhood, where Σ∇W = 0, with density as a ratio to ρ₀:
   ///   δ = ρ₀ / (Δt² V² Σ ∇W·∇W), Pa. One gradient is density's kernel's, the other pressure's.
@@ -89,7 +94,7 @@ class Pcisph : public PressureSolver {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
     return residual.largest <= lenience * settings_.max_compression &&
-           residual.compression <= mean && residual.compression + residual.expansion <= 2 * mean;
+           residual.compression <= mean && residual.error <= mean * s.rate;
   }
 
   /// A part of the last step's pressure. The pressure that is kept is the mean over the time
@@ -147,7 +152,7 @@ class Pcisph : public PressureSolver {
       const float wanted = compression_of(s, i);
       const float compression = std::max(0.f, s.overlapping ? wanted : ratio[i] - 1.f);
       const float releasable = std::min(-wanted, pressure[i] / delta);
-      return Residual{compression, std::max(0.f, releasable), compression};
+      return Residual{compression, std::max(wanted, releasable), compression};
     });
   }
 

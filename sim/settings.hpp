@@ -58,6 +58,8 @@ struct FluidSettings {
       0.025f;  ///< distance between particle centres at rest, m; support radius is 2 spacings
   float rest_density = 1000.f;  ///< kg/m³
   float viscosity = 0.01f;      ///< dynamic viscosity, Pa·s
+  float wall_viscosity = 0.f;  ///< with which walls and obstacles hold the liquid back, Pa·s; 0: it
+                               ///< slips, the liquid's own viscosity: it sticks
   std::vector<Volume> volumes{{Box{{0.f, 0.f, 0.f}, {1.f, 1.f, 0.8f}}, glm::vec3{0.f}}};
 };
 

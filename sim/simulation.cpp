@@ -6,10 +6,12 @@
 #include <stdexcept>
 
 #include "sim/lattice.hpp"
+#include "sim/leftover.hpp"
 #include "sim/neighbourhood.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/shapes.hpp"
 #include "sim/time_step.hpp"
+#include "sim/viscosity.hpp"
 #include "sim/wcsph.hpp"
 
 namespace spindrift::sim {
@@ -26,7 +28,8 @@ FluidConstants constants_of(const FluidSettings& fluid) {
           .support_radius = radius,
           .rest_density = fluid.rest_density,
           .volume = static_cast<float>(1 / lattice_kernel_sum(kernel, fluid.spacing, radius)),
-          .viscosity = fluid.viscosity};
+          .viscosity = fluid.viscosity,
+          .wall_viscosity = fluid.wall_viscosity};
 }
 
 Vec3<float> from_glm(glm::vec3 v) {
@@ -49,12 +52,13 @@ float default_speed_of_sound(const Settings& settings, const InitialParticles& i
 }
 
 struct Totals {
-  double compression = 0, squared_speed = 0, height = 0;
+  double compression = 0, squared_speed = 0, height = 0, squared_pressure = 0;
   float max_compression = 0;
   void join(const Totals& o) {
     compression += o.compression;
     squared_speed += o.squared_speed;
     height += o.height;
+    squared_pressure += o.squared_pressure;
     max_compression = std::max(max_compression, o.max_compression);
   }
 };
@@ -96,11 +100,8 @@ struct Simulation::Impl {
   float max_speed = 0;
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
-  bool overlapping = false;    ///< particles are far too dense yet
-  float densest = 1;           ///< largest density ratio while they are
-  double left_to_release = 0;  ///< mean compression of theirs that is allowed yet
-  float kept_overlap = 1;      ///< part of it that this step may leave
-  float release_share = 1;     ///< of it in the compression that there is
+  Viscosity viscosity;
+  Leftover leftover;
 
   Impl(const Settings& s, const InitialParticles& initial)
       : settings(s),
@@ -111,7 +112,9 @@ struct Simulation::Impl {
         boundary(s, map, constants.support_radius),
         neighbourhood(map, boundary),
         solver(make_solver(initial)),
-        time_step(s.solver, constants, solver->time_step_limit()) {
+        time_step(s.solver, constants, solver->time_step_limit()),
+        viscosity(constants),
+        leftover(s.solver, constants.support_radius) {
     if (initial.positions.empty())
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing");
@@ -138,27 +141,47 @@ struct Simulation::Impl {
             settings.obstacles.size()};
   }
 
+  bool viscous() const { return constants.viscosity > 0 || constants.wall_viscosity > 0; }
+  bool corrects_density() const { return settings.solver.type == SolverType::pcisph; }
+
+  void find_neighbours() {
+    neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
+  }
+
+  StepContext context_of(double dt, int refusals, const float* excess) {
+    return {.executor = executor,
+            .particles = particles,
+            .constants = constants,
+            .neighbours = neighbourhood.fluid(),
+            .boundary = neighbourhood.boundary(),
+            .grid = &neighbourhood.grid(),
+            .map = &map,
+            .contact = contact(),
+            .time_step = static_cast<float>(dt),
+            .refusals = refusals,
+            .kick = kick(dt),
+            .excess = excess,
+            .rate = leftover.rate(),
+            .overlapping = leftover.overlapping(),
+            .densest = leftover.densest()};
+  }
+
+  const float* allowed_leftover(double dt, int refusals) {
+    if (!corrects_density())
+      return nullptr;
+    const Vec3<float> a = body_acceleration(settings.forces, time);
+    return leftover.allow(executor, particles, neighbourhood.grid(), dt, refusals,
+                          std::sqrt(dot(a, a)));
+  }
+
   /// One accepted step of at most dt; returns its length, s.
   double step(double dt, FrameStatistics& statistics) {
     for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
       drift(dt);
-      neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
-      const StepContext context{.executor = executor,
-                                .particles = particles,
-                                .constants = constants,
-                                .neighbours = neighbourhood.fluid(),
-                                .boundary = neighbourhood.boundary(),
-                                .grid = &neighbourhood.grid(),
-                                .map = &map,
-                                .contact = contact(),
-                                .time_step = static_cast<float>(dt),
-                                .refusals = refusals,
-                                .kick = kick(dt),
-                                .excess = corrects_density() ? allow_excess(dt, refusals) : nullptr,
-                                .overlapping = overlapping,
-                                .densest = overlapping ? densest : 1};
-      if (constants.viscosity > 0)
-        apply_viscosity(context);
+      find_neighbours();
+      if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
+        find_neighbours();
+      const StepContext context = context_of(dt, refusals, allowed_leftover(dt, refusals));
       const StepResult result = solver->solve(context);
       statistics.iterations += result.iterations;
       if (!result.accepted)
@@ -197,22 +220,6 @@ struct Simulation::Impl {
                          .contacts;
   }
 
-  void apply_viscosity(const StepContext& s) {
-    const ViscosityKernel kernel(constants.support_radius);
-    const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view(),
-                     a = particles.acceleration.view();
-    v.set(particles.count, {0, 0, 0});
-    executor.for_each("viscosity", particles.count, [&](std::uint32_t i) {
-      a.set(i, viscous_acceleration(i, constants, kernel, x, v, s.neighbours));
-    });
-    const float dt = s.time_step;
-    const ContactView walls = s.contact;
-    executor.for_each("apply viscosity", particles.count, [=](std::uint32_t i) {
-      v.set(i, v[i] + dt * a[i]);
-      x.set(i, walls.resolve(x[i] + (dt * dt) * a[i]));
-    });
-  }
-
   /// Takes over the corrected positions; returns how many particles were stopped by a surface.
   std::int64_t integrate(const StepContext& s, float pressure_factor) {
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
@@ -238,83 +245,32 @@ struct Simulation::Impl {
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
-    note_compression(true);
+    note_leftover(true);
     return motion.contacts + drift_contacts;
   }
 
-  bool corrects_density() const { return settings.solver.type == SolverType::pcisph; }
-
-  /// What the last step left over of compression. Where particles overlap, the share of it that the
-  /// next step may leave as well: what steps add within their tolerance must not add up.
-  void note_compression(bool in_step) {
-    if (!corrects_density())
-      return;
-    const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
-    float* compression = particles.compression.resized(particles.count);
-    const Totals t = executor.reduce<Totals>("compression", particles.count, [=](std::uint32_t i) {
-      const float c = ratio[i] - 1, above = std::max(0.f, c);
-      compression[i] = pressure[i] > 0 ? c : above;
-      return Totals{.compression = above, .max_compression = above};
-    });
-    densest = 1 + t.max_compression;
-    const double mean = t.compression / particles.count;
-    left_to_release =
-        in_step && overlapping ? std::min(mean, kept_overlap * left_to_release) : mean;
-    release_share = mean > 0 ? static_cast<float>(left_to_release / mean) : 1;
-    overlapping = t.max_compression > 1.1f * settings.solver.max_compression ||
-                  t.compression > 1.1 * double{settings.solver.mean_compression} * particles.count;
+  void note_leftover(bool after_a_step) {
+    if (corrects_density())
+      leftover.note(executor, particles, after_a_step);
   }
 
-  /// Compression that a step may leave as it is, per particle. What is left over of many particles
-  /// together would, taken away within one step, throw the liquid above them up, the faster the
-  /// shorter the step; it is taken away over the time in which gravity moves a particle by a part
-  /// of its support. Particles that start too dense, as where volumes overlap, are not forced apart
-  /// in one step, which no step could be small enough for, but two hundred times slower, and half
-  /// of that each time that a step is refused.
-  const float* allow_excess(double dt, int refusals) {
-    const float* compression = particles.compression.data();
-    float* excess = particles.excess.resized(particles.count);
-    // Where nothing falls it is taken away over twenty steps.
-    const Vec3<float> a = body_acceleration(settings.forces, time);
-    const double fall = 0.1 * std::sqrt(constants.support_radius / std::sqrt(double{dot(a, a)}));
-    const double share = dt / std::max(dt, std::min(20 * dt, fall));
-    if (overlapping) {
-      kept_overlap = static_cast<float>(1 - 0.005 * share * std::pow(0.5, refusals));
-      const float part = kept_overlap * release_share;
-      executor.for_each("excess", particles.count,
-                        [=](std::uint32_t i) { excess[i] = part * std::max(0.f, compression[i]); });
-      return excess;
-    }
-    const float most = 0.3f * settings.solver.mean_compression;
-    const CellGrid& grid = neighbourhood.grid();
-    executor.for_each(
-        "excess", static_cast<std::uint32_t>(grid.cell_count()), [&](std::uint32_t c) {
-          const std::uint32_t begin = grid.cell_begin(c), end = grid.cell_begin(c + 1);
-          float sum = 0;
-          for (std::uint32_t i = begin; i < end; ++i)
-            sum += compression[i];
-          const float part = std::clamp(
-              (1 - static_cast<float>(share)) * sum / static_cast<float>(end - begin), -most, most);
-          std::fill(excess + begin, excess + end, part);
-        });
-    return excess;
-  }
-
-  void find_compression() {
+  /// Measures particles as they are given.
+  void measure_start() {
     FrameStatistics unused;
     measure(unused);
-    note_compression(false);
+    note_leftover(false);
   }
 
   /// Recomputes the density from the positions with the full neighbourhood, and the energies.
   void measure(FrameStatistics& statistics) {
     const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
     executor.for_each("measure", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
-    neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
+    find_neighbours();
     const CubicKernel kernel(constants.support_radius);
     const NeighbourView neighbours = neighbourhood.fluid();
     const BoundaryView solid = neighbourhood.boundary();
     const Vec3Arrays position = particles.drifted_position.view(), v = particles.velocity.view();
+    const float* pressure = particles.pressure.data();
     float* ratio = particles.density_ratio.data();
     const glm::vec3 g = settings.forces.gravity;
     const glm::vec3 lowest(g.x > 0 ? settings.domain.max.x : settings.domain.min.x,
@@ -324,9 +280,12 @@ struct Simulation::Impl {
     const Totals t = executor.reduce<Totals>("measure", particles.count, [&](std::uint32_t i) {
       ratio[i] = density_ratio(i, constants, kernel, position, neighbours, solid);
       const float error = std::max(0.f, ratio[i] - 1.f);
-      return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), error};
+      const double p = pressure[i];
+      return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), p * p, error};
     });
     const double mass = double{constants.rest_density} * constants.volume;
+    // The same number for a run in one piece and one that goes on from here.
+    mean_pressure = std::sqrt(t.squared_pressure / particles.count);
     statistics.mean_compression = t.compression / particles.count;
     statistics.max_compression = t.max_compression;
     statistics.max_speed = max_speed;
@@ -337,7 +296,7 @@ struct Simulation::Impl {
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
     FrameStatistics statistics;
     if (time_step.last() == 0)
-      find_compression();
+      measure_start();
     const double tiny = 1e-9 * std::max(1.0, std::abs(end));
     while (end - time > tiny) {
       if (stop != nullptr && *stop)
@@ -354,7 +313,7 @@ struct Simulation::Impl {
     }
     time = end;
     measure(statistics);
-    note_compression(false);
+    note_leftover(false);
     return statistics;
   }
 };
@@ -385,7 +344,7 @@ Simulation::Simulation(const Settings& settings, const Frame& start)
   impl_->max_speed = std::sqrt(squared_speed);
   impl_->time = start.time;
   impl_->time_step.set_last(start.last_time_step);
-  impl_->find_compression();
+  impl_->measure_start();
 }
 
 Simulation::~Simulation() = default;
@@ -421,7 +380,8 @@ std::size_t Simulation::boundary_particle_count() const {
 
 std::size_t Simulation::memory_bytes() const {
   return impl_->particles.memory_bytes() + impl_->neighbourhood.memory_bytes() +
-         impl_->boundary.memory_bytes();
+         impl_->boundary.memory_bytes() + impl_->solver->memory_bytes() +
+         impl_->viscosity.memory_bytes();
 }
 
 std::vector<PhaseTime> Simulation::phase_times() const {

@@ -23,6 +23,7 @@ struct StepContext {
   int refusals;     ///< how often this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
   const float* excess;  ///< compression that a particle may keep in this step; null: none
+  float rate;           ///< part of the tolerance that a step as short as this may add
   bool overlapping;  ///< the particles start far too dense; only what goes beyond `excess` counts
   float densest;     ///< largest density ratio at the start of the step where that is far above 1
 };
@@ -41,6 +42,8 @@ class PressureSolver {
   virtual StepResult solve(const StepContext& step) = 0;
   /// Largest stable time step of the solver itself, s.
   virtual float time_step_limit() const = 0;
+  /// Of the fields that the solver keeps.
+  virtual std::size_t memory_bytes() const { return 0; }
 };
 
 }  // namespace spindrift::sim

@@ -6,29 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/lattice.hpp"
-
 namespace spindrift::sim {
 namespace {
 
 /// A step is at most this much longer than the one before it.
 constexpr double growth = 1.3;
-
-/// Explicit diffusion: velocities relax at the rate (μ/ρ₀) V Σ∇²W towards their neighbours'; the
-/// fastest mode decays at up to twice that rate, and a step must stay below 2 / (2 rate). Half of
-/// it is taken.
-double viscosity_limit(const FluidConstants& c) {
-  if (c.viscosity <= 0)
-    return INFINITY;
-  const ViscosityKernel kernel(c.support_radius);
-  double sum = 0;
-  for_lattice_points(c.spacing, c.support_radius, [&](const Vec3<float>& p) {
-    const float r = square_root(dot(p, p));
-    if (r > 0)
-      sum += kernel.laplacian(r);
-  });
-  return 0.5 / (double{c.viscosity} / c.rest_density * c.volume * sum);
-}
 
 }  // namespace
 
@@ -37,8 +19,7 @@ TimeStepControl::TimeStepControl(const SolverSettings& settings, const FluidCons
     : settings_(settings),
       support_radius_(constants.support_radius),
       rest_density_(constants.rest_density),
-      fixed_limit_(std::min(
-          {double{settings.max_time_step}, double{solver_limit}, viscosity_limit(constants)})) {}
+      fixed_limit_(std::min(settings.max_time_step, solver_limit)) {}
 
 double TimeStepControl::next(double remaining, double max_speed, double acceleration,
                              double pressure) const {

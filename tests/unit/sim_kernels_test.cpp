@@ -2,8 +2,10 @@
 // zero outside the support, eight lanes like one.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numbers>
 
+#include "sim/diffusion.hpp"
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 
@@ -50,7 +52,6 @@ void check_gradient(const Kernel& kernel) {
 TEST_CASE("every kernel integrates to one") {
   CHECK(integral(CubicKernel(radius)) == Approx(1).epsilon(1e-4));
   CHECK(integral(SpikyKernel(radius)) == Approx(1).epsilon(1e-4));
-  CHECK(integral(ViscosityKernel(radius)) == Approx(1).epsilon(1e-4));
 }
 
 TEST_CASE("kernel gradients are the slopes of the kernels") {
@@ -58,15 +59,20 @@ TEST_CASE("kernel gradients are the slopes of the kernels") {
   check_gradient(SpikyKernel(radius));
 }
 
-TEST_CASE("the viscosity kernel's Laplacian is that of its value") {
-  const ViscosityKernel kernel(radius);
-  for (double q = 0.2; q < 0.95; q += 0.05) {
-    const double r = q * radius, h = 0.02 * radius;
-    const auto w = [&](double x) { return double{kernel.value(static_cast<float>(x))}; };
-    const double second = (w(r + h) - 2 * w(r) + w(r - h)) / (h * h);
-    const double first = (w(r + h) - w(r - h)) / (2 * h);
-    CHECK(double{kernel.laplacian(static_cast<float>(r))} ==
-          Approx(second + 2 / r * first).epsilon(0.01));
+TEST_CASE("the Laplacian of a square is six on a lattice, and nearly on rows that have slid") {
+  constexpr float spacing = 0.5f * radius;
+  const DiffusionKernel kernel(spacing, radius);
+  for (const float slide : {0.f, 0.25f, 0.5f}) {
+    double laplacian = 0;
+    for (int i = -3; i <= 3; ++i)
+      for (int j = -3; j <= 3; ++j)
+        for (int k = -3; k <= 3; ++k) {
+          const float shift = i % 2 == 0 ? 0.f : slide;
+          const glm::vec3 x =
+              spacing * glm::vec3(i, static_cast<float>(j) + shift, static_cast<float>(k));
+          laplacian += double{kernel.weight(glm::dot(x, x))} * glm::dot(x, x);
+        }
+    CHECK(laplacian == Approx(6).epsilon(slide == 0 ? 1e-5 : 0.03));
   }
 }
 
@@ -76,7 +82,7 @@ TEST_CASE("kernels and their gradients vanish from the support radius on") {
     CHECK(CubicKernel(radius).gradient(r) == 0.f);
     CHECK(SpikyKernel(radius).value(r) == 0.f);
     CHECK(SpikyKernel(radius).gradient(r) == 0.f);
-    CHECK(ViscosityKernel(radius).laplacian(r) == 0.f);
+    CHECK(DiffusionKernel(0.5f * radius, radius).weight(r * r) == 0.f);
   }
 }
 
@@ -88,18 +94,18 @@ TEST_CASE("gradients are finite where two particles are at the same place") {
 TEST_CASE("eight lanes give the same bits as one number") {
   const CubicKernel cubic(radius);
   const SpikyKernel spiky(radius);
-  const ViscosityKernel viscosity(radius);
+  const DiffusionKernel diffusion(0.5f * radius, radius);
   Lanes r;
   for (int k = 0; k < lane_count; ++k)
     r[k] = radius * 0.15f * static_cast<float>(k);
   const Lanes w = cubic.value(r), g = cubic.gradient(r), s = spiky.gradient(r),
-              l = viscosity.laplacian(r);
+              l = diffusion.weight(r * r);
   const Lanes root = square_root(r);
   for (int k = 0; k < lane_count; ++k) {
     CHECK(w[k] == cubic.value(float{r[k]}));
     CHECK(g[k] == cubic.gradient(float{r[k]}));
     CHECK(s[k] == spiky.gradient(float{r[k]}));
-    CHECK(l[k] == viscosity.laplacian(float{r[k]}));
+    CHECK(l[k] == diffusion.weight(float{r[k]} * float{r[k]}));
     CHECK(root[k] == square_root(float{r[k]}));
   }
 }

@@ -1,0 +1,127 @@
+#include "sim/viscosity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/lattice.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+struct Largest {
+  float value = 0;
+  void join(const Largest& other) { value = std::max(value, other.value); }
+};
+
+/// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
+/// to twice that rate, and a step must stay below 2 / (2 rate). Half of it is taken.
+double stable_step(const FluidConstants& c, const DiffusionKernel& kernel) {
+  double sum = 0;
+  for_lattice_points(c.spacing, c.support_radius, [&](const Vec3<float>& p) {
+    if (dot(p, p) > 0)
+      sum += kernel.weight(dot(p, p));
+  });
+  const double rate = std::max(c.viscosity, 2 * c.wall_viscosity) / c.rest_density * sum;
+  return rate > 0 ? 0.5 / rate : INFINITY;
+}
+
+}  // namespace
+
+Viscosity::Viscosity(const FluidConstants& constants)
+    : support_radius_(constants.support_radius),
+      kernel_(constants.spacing, constants.support_radius),
+      explicit_limit_(stable_step(constants, kernel_)) {}
+
+bool Viscosity::apply(const StepContext& s) {
+  // Lists reach this far beyond the support radius, and pressure needs the most of it.
+  constexpr float largest_move = 0.01f;
+  Particles& p = s.particles;
+  const std::uint32_t n = p.count;
+  p.drifted_velocity.view().set(n, {0, 0, 0});
+  if (s.time_step <= explicit_limit_)
+    explicit_step(s);
+  else
+    implicit_step(s);
+  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
+                   dv = p.acceleration.view();
+  const float dt = s.time_step;
+  const ContactView walls = s.contact;
+  const Largest squared_move =
+      s.executor.reduce<Largest>("apply viscosity", n, [=](std::uint32_t i) {
+        const Vec3<float> change = dv[i], move = dt * change;
+        v.set(i, v[i] + change);
+        x.set(i, walls.resolve(x[i] + move));
+        return Largest{dot(move, move)};
+      });
+  return std::sqrt(squared_move.value) > largest_move * support_radius_;
+}
+
+/// Leaves the change of velocity in `acceleration`.
+void Viscosity::explicit_step(const StepContext& s) {
+  Particles& p = s.particles;
+  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
+                   dv = p.acceleration.view();
+  s.executor.for_each("viscosity", p.count, [&](std::uint32_t i) {
+    dv.set(i, s.time_step *
+                  viscous_acceleration(i, s.constants, kernel_, x, v, s.neighbours, s.boundary));
+  });
+}
+
+/// Backward Euler: (1 − Δt ν∇²) v = v*, solved by conjugate gradients for the change v − v*, whose
+/// right side is Δt ν∇² v* (as Weiler et al. 2018 do).
+void Viscosity::implicit_step(const StepContext& s) {
+  constexpr int most_iterations = 200;
+  constexpr double squared_tolerance = 1e-6;
+  Particles& p = s.particles;
+  const std::uint32_t n = p.count;
+  residual_.resize(n);
+  image_.resize(n);
+  const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view(), r = residual_.view(),
+                   direction = p.corrected_position.view(), image = image_.view();
+  explicit_step(s);
+  double squared = s.executor
+                       .reduce<Sum>("viscosity", n,
+                                    [=](std::uint32_t i) {
+                                      const Vec3<float> right = dv[i];
+                                      r.set(i, right);
+                                      direction.set(i, right);
+                                      dv.set(i, {0, 0, 0});
+                                      return Sum{double{dot(right, right)}};
+                                    })
+                       .value;
+  direction.set(n, {0, 0, 0});
+  const double goal = squared_tolerance * squared;
+  for (int k = 0; k < most_iterations && squared > goal; ++k) {
+    const double curvature =
+        s.executor
+            .reduce<Sum>("viscosity", n,
+                         [&](std::uint32_t i) {
+                           const Vec3<float> d = direction[i];
+                           const Vec3<float> a =
+                               d - s.time_step * viscous_acceleration(i, s.constants, kernel_, x,
+                                                                      direction, s.neighbours,
+                                                                      s.boundary);
+                           image.set(i, a);
+                           return Sum{double{dot(a, d)}};
+                         })
+            .value;
+    if (!(curvature > 0))
+      return;
+    const float step = static_cast<float>(squared / curvature);
+    const double next = s.executor
+                            .reduce<Sum>("viscosity", n,
+                                         [=](std::uint32_t i) {
+                                           dv.set(i, dv[i] + step * direction[i]);
+                                           const Vec3<float> left = r[i] - step * image[i];
+                                           r.set(i, left);
+                                           return Sum{double{dot(left, left)}};
+                                         })
+                            .value;
+    const float beta = static_cast<float>(next / squared);
+    squared = next;
+    s.executor.for_each("viscosity", n,
+                        [=](std::uint32_t i) { direction.set(i, r[i] + beta * direction[i]); });
+  }
+}
+
+}  // namespace spindrift::sim

@@ -1,0 +1,30 @@
+// Viscosity, explicit where a step is short enough for that, implicit where it is not. Both use the
+// same operator, so that what a scene looks like does not depend on which it is.
+#pragma once
+
+#include "sim/solver.hpp"
+
+namespace spindrift::sim {
+
+class Viscosity {
+ public:
+  explicit Viscosity(const FluidConstants& constants);
+
+  /// Changes the drifted velocities and positions. Returns true if it moved a particle so far that
+  /// its neighbours are no longer those that are listed.
+  bool apply(const StepContext& s);
+
+  std::size_t memory_bytes() const { return residual_.memory_bytes() + image_.memory_bytes(); }
+
+ private:
+  void explicit_step(const StepContext& s);
+  void implicit_step(const StepContext& s);
+
+  float support_radius_;  ///< H, m
+  DiffusionKernel kernel_;
+  double explicit_limit_;  ///< largest stable explicit time step, s
+  // Of the implicit step, which is a conjugate gradient iteration; empty until it is needed.
+  VectorField residual_, image_;
+};
+
+}  // namespace spindrift::sim
