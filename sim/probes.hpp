@@ -37,9 +37,12 @@ struct EnergyProbe {};
 /// Volume of the liquid and the box around it.
 struct VolumeProbe {};
 
+using ProbeQuantity =
+    std::variant<SurfaceHeightProbe, PressureProbe, FrontProbe, EnergyProbe, VolumeProbe>;
+
 struct Probe {
   std::string name;  ///< of its columns
-  std::variant<SurfaceHeightProbe, PressureProbe, FrontProbe, EnergyProbe, VolumeProbe> quantity;
+  ProbeQuantity quantity;
 };
 
 /// What a probe measures: one of its numbers.
