@@ -86,6 +86,9 @@ class SceneReader {
 
   void check_keys(const Json& json, const std::string& path,
                   const std::vector<std::string_view>& keys) const {
+    if (!json.is_object() && keys.empty()) {
+      fail(path, fmt::format("expected an empty object {{}}, found {}", found_text(json)));
+    }
     if (!json.is_object()) {
       fail(path, fmt::format("expected an object {{...}} with keys out of {}, found {}",
                              fmt::join(keys, ", "), found_text(json)));
