@@ -9,7 +9,6 @@
 #include "app/interrupt.hpp"
 
 namespace spindrift::app {
-
 namespace {
 
 /// Adds what happened in a later part of the way to a frame.

@@ -113,9 +113,9 @@ std::string probes_html(const Scene& scene, const Readings& readings,
     const std::size_t kind = probe.quantity.index();
     const std::string settings =
         std::visit([](const auto& quantity) { return json_of(quantity).dump(); }, probe.quantity);
-    html += fmt::format("<h2>{}</h2>\n<p>{} {}</p>\n", html_escaped(probe.name),
+    html += fmt::format("<h2>{}</h2>\n<p>{}{}</p>\n", html_escaped(probe.name),
                         alternative_names<sim::ProbeQuantity>[kind],
-                        settings == "{}" ? "" : html_escaped(settings));
+                        settings == "{}" ? "" : fmt::format(" {}", html_escaped(settings)));
     html += probe_html(columns, first, readings, draw);
     first += columns.size();
   }
