@@ -13,50 +13,11 @@ namespace {
 using Rows = std::vector<const BenchRow*>;
 using Draw = std::function<std::string(const Plot&)>;
 
-constexpr const char* page_start = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<title>Spindrift benchmark</title>
-<style>
-body { font: 15px/1.4 sans-serif; max-width: 80em; margin: 2em auto; padding: 0 1em; }
-table { border-collapse: collapse; font-size: 13px; }
-th, td { padding: 0.15em 0.6em; text-align: right; border-bottom: 1px solid #ddd; }
-th { border-bottom: 2px solid #888; }
-tr.front { font-weight: bold; }
-tr.failed { color: #a00; }
-svg { max-width: 100%; height: auto; }
-</style>
-</head>
-<body>
-<h1>Spindrift benchmark</h1>
-)";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 std::string table_html(const Rows& rows) {
   const auto columns = shown_columns(rows.front()->run.series);
   std::string html = "<table>\n<tr>";
   for (const ShownColumn& column : columns)
-    html += fmt::format("<th>{}</th>", escaped(column.title));
+    html += fmt::format("<th>{}</th>", html_escaped(column.title));
   html += "</tr>\n";
   for (const BenchRow* row : rows) {
     const bool front = row->on_mean_front || row->on_max_front;
@@ -64,7 +25,7 @@ std::string table_html(const Rows& rows) {
             : front                      ? "<tr class=\"front\">"
                                          : "<tr>";
     for (const ShownColumn& column : columns)
-      html += fmt::format("<td>{}</td>", escaped(column.text(*row)));
+      html += fmt::format("<td>{}</td>", html_escaped(column.text(*row)));
     html += "</tr>\n";
   }
   return html + "</table>\n";
@@ -171,14 +132,15 @@ Plot plane_plot(const Rows& rows, bool largest) {
 }
 
 std::string report_html(const std::vector<BenchRow>& rows, const Draw& draw) {
-  std::string html = page_start + fmt::format("<p>{}</p>\n", escaped(machine_text()));
+  std::string html =
+      html_head("Spindrift benchmark") + fmt::format("<p>{}</p>\n", html_escaped(machine_text()));
   for (const BenchSection& section : sections_of(rows)) {
-    html += fmt::format("<h2>{}</h2>\n", escaped(section.title));
+    html += fmt::format("<h2>{}</h2>\n", html_escaped(section.title));
     html += section.series == BenchSeries::plane       ? plane_html(section.rows, draw)
             : section.series == BenchSeries::particles ? particles_html(section.rows, draw)
                                                        : threads_html(section.rows, draw);
   }
-  return html + "</body>\n</html>\n";
+  return html + html_end;
 }
 
 }  // namespace spindrift::app

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/bench_plot.hpp"
 #include "app/bench_table.hpp"
+#include "app/plot.hpp"
 
 namespace spindrift::app {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
+#include <functional>
 
 #include "app/bench_measure.hpp"
 #include "app/bench_report.hpp"
@@ -59,19 +59,10 @@ void print_tables(const std::vector<BenchRow>& rows) {
 
 void write_results(const std::vector<BenchRow>& rows, const BenchOptions& options) {
   output::write_file(options.output / "bench.csv", csv_text(rows));
-  std::string missing;  // why there are no plots
-  const auto draw = [&](const Plot& plot) {
-    try {
-      if (missing.empty())
-        return draw_svg(plot) + "\n";
-    } catch (const std::exception& error) {
-      missing = error.what();
-    }
-    return std::string("<p>No plot here: it could not be drawn.</p>\n");
-  };
-  output::write_file(options.output / "bench.html", report_html(rows, draw));
-  if (!missing.empty())
-    fmt::print(stderr, "spindrift: {}; the report is without plots\n", missing);
+  PlotDrawer draw;
+  output::write_file(options.output / "bench.html", report_html(rows, std::ref(draw)));
+  if (!draw.failure().empty())
+    fmt::print(stderr, "spindrift: {}; the report is without plots\n", draw.failure());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <functional>
 
 #include "app/commands.hpp"
 #include "app/pipeline.hpp"
@@ -23,7 +24,25 @@ void print_rest(const RenderOptions& options, const RunRecord& record, const cha
                options.command_line_hint);
 }
 
+void write_probes(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
+  output::write_file(options.output / "probes.csv", probes_csv(scene, record.probe_readings));
+  PlotDrawer draw;
+  output::write_file(options.output / "probes.html",
+                     probes_html(scene, record.probe_readings, std::ref(draw)));
+  if (!draw.failure().empty())
+    fmt::print(stderr, "spindrift: {}; probes.html is without plots\n", draw.failure());
+  const std::size_t kept = record.frames.size() - static_cast<std::size_t>(record.frames_simulated);
+  if (scene.probes_rate > 0 && kept > 0 && !options.quiet)
+    fmt::print(
+        stderr,
+        "spindrift: {} frames were kept from before, and their probes are read once a frame; "
+        "--no-cache reads them {:g} times a second\n",
+        kept, scene.probes_rate);
+}
+
 void write_report(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
+  if (!scene.probes.empty())
+    write_probes(scene, options, record);
   output::write_file(options.output / "run.json", report_json(scene, record).dump(1) + "\n");
 }
 

@@ -113,9 +113,11 @@ Estimate estimate(const Scene& scene, int threads) {
                  pixels * bytes_per_pixel;
 
   const double frames = scene.video.frame_count();
-  const double step = std::min({static_cast<double>(settings.solver.max_time_step),
-                                settings.solver.cfl * 2. * spacing / likely_speed(settings),
-                                1. / scene.video.frames_per_second});
+  double step = std::min({static_cast<double>(settings.solver.max_time_step),
+                          settings.solver.cfl * 2. * spacing / likely_speed(settings),
+                          1. / scene.video.frames_per_second});
+  if (!scene.probes.empty() && scene.probes_rate > 0)
+    step = std::min(step, 1. / scene.probes_rate);
   const double steps = std::max(scene.video.duration / step, frames);
   result.seconds =
       (steps * particles * seconds_per_particle_step +

@@ -2,14 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
 #include "app/interrupt.hpp"
 
 namespace spindrift::app {
+namespace {
 
-ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options) : scene_(scene) {
+/// Adds what happened in a later part of the way to a frame.
+void append(sim::FrameStatistics& whole, const sim::FrameStatistics& part) {
+  sim::FrameStatistics sum = part;  // what is measured is that of the end
+  sum.steps += whole.steps;
+  sum.rejected_steps += whole.rejected_steps;
+  sum.iterations += whole.iterations;
+  sum.contacts += whole.contacts;
+  sum.max_time_step = std::max(whole.max_time_step, part.max_time_step);
+  if (whole.steps > 0 && (part.steps == 0 || whole.min_time_step < part.min_time_step))
+    sum.min_time_step = whole.min_time_step;
+  whole = sum;
+}
+
+}  // namespace
+
+ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
+                               std::vector<ProbeReading>& readings)
+    : scene_(scene), readings_(readings) {
   if (options.from_particles) {
     read_only_ = true;
     cache_.emplace(*options.from_particles);
@@ -27,19 +46,19 @@ std::optional<KeptFrame> ParticleSource::next(int number) {
   if (InterruptGuard::requested())
     return std::nullopt;
   if (read_only_)
-    return cache_->read(number);
+    return kept(number);
   cached_so_far_ = cached_so_far_ && cache_ && cache_->has(number);
   if (cached_so_far_) {
-    last_ = cache_->read(number);
+    last_ = kept(number);
     return last_;
   }
-  KeptFrame kept = simulate(number);
+  KeptFrame frame = simulate(number);
   if (InterruptGuard::requested())
     return std::nullopt;
   ++simulated_;
   if (cache_)
-    cache_->write(number, kept);
-  return kept;
+    cache_->write(number, frame);
+  return frame;
 }
 
 KeptFrame ParticleSource::simulate(int number) {
@@ -49,12 +68,45 @@ KeptFrame ParticleSource::simulate(int number) {
     else
       simulation_ = std::make_unique<sim::Simulation>(scene_.simulation, last_.frame);
   }
-  const double time = static_cast<double>(number) / scene_.video.frames_per_second;
-  KeptFrame kept;
-  kept.statistics = simulation_->advance_to(time, &InterruptGuard::requested());
-  if (!InterruptGuard::requested())
-    kept.frame = simulation_->frame();
-  return kept;
+  const double time = time_of(number);
+  std::vector<double> readings{time};
+  if (!scene_.probes.empty() && scene_.probes_rate > 0)
+    readings = reading_times(number == 0 ? -1 : time_of(number - 1), time, scene_.probes_rate);
+  KeptFrame frame;
+  for (const double at : readings) {
+    if (at == time)
+      break;
+    advance_to(at, frame.statistics);
+    if (InterruptGuard::requested())
+      return frame;
+    read_probes(simulation_->frame());
+  }
+  advance_to(time, frame.statistics);
+  if (InterruptGuard::requested())
+    return frame;
+  frame.frame = simulation_->frame();
+  if (!readings.empty() && readings.back() == time)
+    read_probes(frame.frame);
+  return frame;
+}
+
+KeptFrame ParticleSource::kept(int number) {
+  KeptFrame frame = cache_->read(number);
+  read_probes(frame.frame);
+  return frame;
+}
+
+double ParticleSource::time_of(int number) const {
+  return static_cast<double>(number) / scene_.video.frames_per_second;
+}
+
+void ParticleSource::advance_to(double time, sim::FrameStatistics& statistics) {
+  append(statistics, simulation_->advance_to(time, &InterruptGuard::requested()));
+}
+
+void ParticleSource::read_probes(const sim::Frame& frame) {
+  if (!scene_.probes.empty())
+    readings_.push_back(app::read_probes(scene_, frame));
 }
 
 void ParticleSource::finish(RunRecord& record) const {

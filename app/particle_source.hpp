@@ -1,4 +1,5 @@
-// Where a run's particles come from: the cache as far as it goes, then the simulation.
+// Where a run's particles come from: the cache as far as it goes, then the simulation. The scene's
+// probes are read on the way.
 #pragma once
 
 #include <memory>
@@ -11,9 +12,11 @@ namespace spindrift::app {
 
 class ParticleSource {
  public:
+  /// @param readings what the scene's probes read, added to as frames are asked for
   /// @throws std::runtime_error or SceneError when the folder of --from-particles does not fit the
   /// scene
-  ParticleSource(const Scene& scene, const RenderOptions& options);
+  ParticleSource(const Scene& scene, const RenderOptions& options,
+                 std::vector<ProbeReading>& readings);
   ~ParticleSource();
 
   std::size_t particle_count() const { return particle_count_; }
@@ -25,9 +28,14 @@ class ParticleSource {
   void finish(RunRecord& record) const;
 
  private:
+  KeptFrame kept(int number);
   KeptFrame simulate(int number);
+  double time_of(int number) const;
+  void advance_to(double time, sim::FrameStatistics& statistics);
+  void read_probes(const sim::Frame& frame);
 
   const Scene& scene_;
+  std::vector<ProbeReading>& readings_;
   std::optional<ParticleCache> cache_;
   bool read_only_ = false;  ///< particles are given, never simulated
   bool cached_so_far_ = true;

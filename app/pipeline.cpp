@@ -184,7 +184,7 @@ class Pipeline {
   }
 
   void run(const FrameRange& range) {
-    ParticleSource source(scene_, options_);
+    ParticleSource source(scene_, options_, record_.probe_readings);
     Progress progress(scene_.name, range.last - range.first + 1, source.particle_count(),
                       options_.quiet);
     if (options_.simulate_only) {

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/particle_cache.hpp"
+#include "app/probe_table.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::app {
@@ -27,6 +28,7 @@ struct RunRecord {
   std::vector<sim::PhaseTime> simulation_phases;
   std::vector<sim::FrameStatistics> frames;  ///< one for each frame from 0 to the last one reached
   std::vector<double> times;                 ///< of those frames, s
+  std::vector<ProbeReading> probe_readings;  ///< in the order of their times
   std::string gl_renderer, gl_version;       ///< empty: nothing was drawn
 };
 

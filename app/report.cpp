@@ -97,6 +97,8 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) 
   json["iterations"] = total(record.frames, &sim::FrameStatistics::iterations);
   json["worst_mean_compression"] = worst(record.frames, &sim::FrameStatistics::mean_compression);
   json["worst_max_compression"] = worst(record.frames, &sim::FrameStatistics::max_compression);
+  if (!scene.probes.empty())
+    json["probes"] = {{"table", "probes.csv"}, {"report", "probes.html"}};
   json["frames"] = frames_json(record);
   json["scene"] = to_json(scene);
   return json;
@@ -124,6 +126,8 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
              100 * worst(record.frames, &sim::FrameStatistics::max_compression));
   if (!options.simulate_only)
     fmt::print("  {}\n", (options.output / "video.mp4").string());
+  if (!scene.probes.empty())
+    fmt::print("  {}\n", (options.output / "probes.html").string());
 }
 
 }  // namespace spindrift::app

@@ -12,6 +12,7 @@
 #include "app/camera.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/surface/surface.hpp"
+#include "sim/probes.hpp"
 #include "sim/settings.hpp"
 
 namespace spindrift::app {
@@ -30,6 +31,8 @@ struct VideoConfig {
 struct Scene {
   std::string name;          ///< of the default output folder
   sim::Settings simulation;  ///< all that moves the liquid; nothing else below does
+  std::vector<sim::Probe> probes;
+  double probes_rate = 0.;  ///< readings of the probes per second, 1/s; 0: one for every picture
   surface::SurfaceSettings surface;
   CameraSettings camera;
   gl::LightSettings light;
@@ -64,8 +67,8 @@ std::string to_text(const nlohmann::ordered_json& json);
 nlohmann::ordered_json scene_schema();
 
 /// 128 bits in hexadecimal of all that the particles of a scene depend on: the simulation's
-/// settings and the times at which they are kept. The name, the camera, the look, the light and the
-/// video's size, quality and duration leave it as it is.
+/// settings, the times at which they are kept, and those at which probes are read. The name, the
+/// camera, the look, the light and the video's size, quality and duration leave it as it is.
 std::string simulation_hash(const Scene& scene);
 
 }  // namespace spindrift::app

@@ -31,6 +31,7 @@ class Checker {
     check_volumes();
     check_forces_and_solver();
     check_picture();
+    check_probes();
     check_camera();
   }
 
@@ -67,7 +68,9 @@ class Checker {
 
   void check_shape(const sim::Shape& shape, const std::string& path) const {
     std::visit(
-        [&](const auto& one) { check_shape(one, child_path(path, shape_names[shape.index()])); },
+        [&](const auto& one) {
+          check_shape(one, child_path(path, alternative_names<sim::Shape>[shape.index()]));
+        },
         shape);
   }
 
@@ -184,6 +187,60 @@ class Checker {
     if (scene_.look.color_min > scene_.look.color_max) {
       fail("look.color_min", fmt::format("{:g} is above color_max ({:g})", scene_.look.color_min,
                                          scene_.look.color_max));
+    }
+  }
+
+  void check_probes() const {
+    const auto& probes = scene_.probes;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      const std::string path = child_path("probes", i);
+      check_probe_name(probes[i].name, child_path(path, "name"));
+      for (std::size_t k = 0; k < i; ++k) {
+        if (probes[k].name == probes[i].name) {
+          fail(child_path(path, "name"),
+               fmt::format("\"{}\" is the name of probes[{}] already", probes[i].name, k));
+        }
+      }
+      check_probe_place(probes[i], path);
+    }
+    if (!probes.empty() && scene_.video.duration * scene_.probes_rate > 1e6) {
+      fail("probes_rate", fmt::format("{:g} readings per second for {:g} s are {:g}; at most "
+                                      "1000000 are accepted",
+                                      scene_.probes_rate, scene_.video.duration,
+                                      scene_.video.duration * scene_.probes_rate));
+    }
+  }
+
+  void check_probe_name(const std::string& name, const std::string& path) const {
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+      return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
+             c == '_' || c == '-';
+    });
+    if (name.empty() || !plain) {
+      fail(path,
+           fmt::format("\"{}\" can't name a column; accepted: letters, digits, _ and -", name));
+    }
+  }
+
+  /// Where a probe has a place, it lies in the domain.
+  void check_probe_place(const sim::Probe& probe, const std::string& path) const {
+    const auto& domain = scene_.simulation.domain;
+    glm::vec3 place = 0.5f * (domain.min + domain.max);
+    std::string key;
+    if (const auto* height = std::get_if<sim::SurfaceHeightProbe>(&probe.quantity)) {
+      place.x = height->x;
+      place.z = height->z;
+      key = "surface_height";
+    } else if (const auto* pressure = std::get_if<sim::PressureProbe>(&probe.quantity)) {
+      place = pressure->point;
+      key = "pressure.point";
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      if (place[axis] < domain.min[axis] || place[axis] > domain.max[axis]) {
+        fail(child_path(path, key),
+             fmt::format("{} = {:g} m is outside the domain {} ... {}", "xyz"[axis], place[axis],
+                         text_of(domain.min), text_of(domain.max)));
+      }
     }
   }
 

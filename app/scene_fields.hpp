@@ -5,7 +5,9 @@
 #include <array>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "app/scene.hpp"
 
@@ -35,12 +37,12 @@ template <class Owner, class Value>
 Field(std::string_view, Value Owner::*, std::string_view = {}, Range = {}, std::string_view = {},
       Presence = Presence::optional) -> Field<Owner, Value>;
 
+struct NoTable {};
 template <class T>
-inline constexpr std::tuple<> table{};
+inline constexpr NoTable table{};
 
 template <class T>
-concept Section = std::tuple_size_v<decltype(table<T>)>
-!= 0;
+concept Section = !std::is_same_v<decltype(table<T>), const NoTable>;
 
 /// Calls f with every field of a section's table, in order.
 template <Section T, class F>
@@ -61,9 +63,29 @@ template <>
 inline constexpr std::array<std::string_view, 3> value_names<gl::ColorBy>{"speed", "density",
                                                                           "pressure"};
 
-/// Keys of the alternatives of sim::Shape, in its order.
-inline constexpr std::array<std::string_view, 5> shape_names{"box", "sphere", "cylinder", "capsule",
-                                                             "mesh"};
+template <>
+inline constexpr std::array<std::string_view, 6> value_names<sim::Direction>{"+x", "-x", "+y",
+                                                                             "-y", "+z", "-z"};
+
+/// What a variant is called in messages, and the keys of its alternatives, in its order.
+template <class V>
+inline constexpr std::string_view variant_name{};
+template <class V>
+inline constexpr std::array<std::string_view, 0> alternative_names{};
+template <class V>
+concept Alternatives = !variant_name<V>.empty();
+
+template <>
+inline constexpr std::string_view variant_name<sim::Shape> = "shape";
+template <>
+inline constexpr std::array<std::string_view, std::variant_size_v<sim::Shape>>
+    alternative_names<sim::Shape>{"box", "sphere", "cylinder", "capsule", "mesh"};
+template <>
+inline constexpr std::string_view variant_name<sim::ProbeQuantity> = "quantity";
+template <>
+inline constexpr std::array<std::string_view, std::variant_size_v<sim::ProbeQuantity>>
+    alternative_names<sim::ProbeQuantity>{"surface_height", "pressure", "front", "energy",
+                                          "volume"};
 
 inline constexpr Range places{-1e5, 1e5};   // m
 inline constexpr Range lengths{1e-6, 1e5};  // m
@@ -249,6 +271,37 @@ inline constexpr auto table<gl::LookSettings> = std::tuple{
           Range{0.01, 10.}, "particle spacings"}};
 
 template <>
+inline constexpr auto table<sim::SurfaceHeightProbe> = std::tuple{
+    Field{"x", &sim::SurfaceHeightProbe::x, "of the vertical", places, "m", Presence::required},
+    Field{"z", &sim::SurfaceHeightProbe::z, "of the vertical", places, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::PressureProbe> =
+    std::tuple{Field{"point", &sim::PressureProbe::point,
+                     "where; particles closer than two spacings are taken into account", places,
+                     "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::FrontProbe> =
+    std::tuple{Field{"direction", &sim::FrontProbe::direction, "the way the front goes"}};
+
+template <>
+inline constexpr auto table<sim::EnergyProbe> = std::tuple{};
+
+template <>
+inline constexpr auto table<sim::VolumeProbe> = std::tuple{};
+
+template <>
+inline constexpr auto table<sim::Probe> =
+    std::tuple{Field{"name",
+                     &sim::Probe::name,
+                     "names its columns: letters, digits, _ and -",
+                     {},
+                     {},
+                     Presence::required},
+               Field{"", &sim::Probe::quantity}};
+
+template <>
 inline constexpr auto table<VideoConfig> = std::tuple{
     Field{"width", &VideoConfig::width, "even", Range{16, 8192}, "pixels"},
     Field{"height", &VideoConfig::height, "even", Range{16, 8192}, "pixels"},
@@ -262,6 +315,10 @@ template <>
 inline constexpr auto table<Scene> = std::tuple{
     Field{"name", &Scene::name, "names the output folder; the file's stem if left out"},
     Field{"", &Scene::simulation},
+    Field{"probes", &Scene::probes, "what is measured in the liquid, for probes.csv"},
+    Field{"probes_rate", &Scene::probes_rate,
+          "readings per second of the liquid's time; 0: one for every picture", Range{0., 1e6},
+          "1/s"},
     Field{"surface", &Scene::surface, "how the liquid's surface is found"},
     Field{"camera", &Scene::camera, "the view: still, or by keyframes; empty: the whole domain"},
     Field{"light", &Scene::light, "one distant light and the sky"},

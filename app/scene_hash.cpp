@@ -52,6 +52,8 @@ std::string simulation_hash(const Scene& scene) {
     name_by_content(scene.simulation.obstacles[i].shape, what["obstacles"][i]);
   }
   what["frames_per_second"] = scene.video.frames_per_second;
+  if (!scene.probes.empty() && scene.probes_rate > 0)
+    what["probes_rate"] = scene.probes_rate;  // steps end where probes are read
   what["particles_version"] = particles_version;
   return text_of(fnv1a(what.dump()));
 }

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/nearest_name.hpp"
@@ -75,20 +78,26 @@ class SceneReader {
       } else if constexpr (Section<Value>) {
         list_keys<Value>(keys);
       } else {
-        keys.insert(keys.end(), shape_names.begin(), shape_names.end());
+        const auto& names = alternative_names<Value>;
+        keys.insert(keys.end(), names.begin(), names.end());
       }
     });
   }
 
   void check_keys(const Json& json, const std::string& path,
                   const std::vector<std::string_view>& keys) const {
+    if (!json.is_object() && keys.empty()) {
+      fail(path, fmt::format("expected an empty object {{}}, found {}", found_text(json)));
+    }
     if (!json.is_object()) {
       fail(path, fmt::format("expected an object {{...}} with keys out of {}, found {}",
                              fmt::join(keys, ", "), found_text(json)));
     }
     for (const auto& [key, value] : json.items()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        fail(child_path(path, key), fmt::format("unknown key; {}", suggestion(key, keys)));
+        fail(child_path(path, key), keys.empty()
+                                        ? "unknown key; none is accepted here, write {}"
+                                        : fmt::format("unknown key; {}", suggestion(key, keys)));
       }
     }
   }
@@ -101,8 +110,8 @@ class SceneReader {
       if (field.key.empty()) {
         if constexpr (Section<Value>) {
           read_fields(json, path, value);
-        } else if constexpr (std::is_same_v<Value, sim::Shape>) {
-          read_shape(json, path, value);
+        } else if constexpr (Alternatives<Value>) {
+          read_alternative(json, path, value);
         }
         return;
       }
@@ -115,25 +124,29 @@ class SceneReader {
     });
   }
 
-  void read_shape(const Json& json, const std::string& path, sim::Shape& into) {
+  template <Alternatives V>
+  void read_alternative(const Json& json, const std::string& path, V& into) {
+    const auto& names = alternative_names<V>;
     std::vector<std::size_t> given;
-    for (std::size_t i = 0; i < shape_names.size(); ++i) {
-      if (json.contains(shape_names[i])) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (json.contains(names[i])) {
         given.push_back(i);
       }
     }
     if (given.size() != 1) {
-      fail(path, fmt::format("expected one shape out of {}, found {}", fmt::join(shape_names, ", "),
-                             given.size()));
+      fail(path, fmt::format("expected one {} out of {}, found {}", variant_name<V>,
+                             fmt::join(names, ", "), given.size()));
     }
-    const sim::Shape shapes[] = {sim::Box{}, sim::Sphere{}, sim::Cylinder{}, sim::Capsule{},
-                                 sim::TriangleMesh{}};
-    static_assert(std::size(shapes) == shape_names.size());
-    into = shapes[given[0]];
-    const std::string_view name = shape_names[given[0]];
+    into = all_alternatives<V>(std::make_index_sequence<std::variant_size_v<V>>())[given[0]];
+    const std::string_view name = names[given[0]];
     std::visit(
-        [&](auto& shape) { read(json.at(std::string(name)), child_path(path, name), shape); },
+        [&](auto& chosen) { read(json.at(std::string(name)), child_path(path, name), chosen); },
         into);
+  }
+
+  template <class V, std::size_t... I>
+  static std::array<V, sizeof...(I)> all_alternatives(std::index_sequence<I...>) {
+    return {V(std::in_place_index<I>)...};
   }
 
   /// A still camera is one key written straight into the section.
@@ -234,8 +247,9 @@ class SceneReader {
     into = static_cast<E>(found - names.begin());
   }
 
-  // A shape is only ever read through its owner's keys.
-  void read(const Json&, const std::string&, sim::Shape&, const Bounds&) {}
+  // An alternative is only ever read through its owner's keys.
+  template <Alternatives V>
+  void read(const Json&, const std::string&, V&, const Bounds&) {}
   void read(const Json&, const std::string&, sim::Settings&, const Bounds&) {}
 
   const SceneDocument& document_;

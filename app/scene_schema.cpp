@@ -57,14 +57,14 @@ Json schema_for(const Range& range = {}) {
   return schema_of(static_cast<const T*>(nullptr), range);
 }
 
-template <std::size_t... I>
-void put_shapes(Json& schema, std::index_sequence<I...>) {
+template <Alternatives V, std::size_t... I>
+void put_alternatives(Json& schema, std::index_sequence<I...>) {
   Json alternatives = Json::array();
-  const auto put = [&]<class Shape>(std::string_view name, const Shape*) {
-    schema["properties"][std::string(name)] = schema_for<Shape>();
+  const auto put = [&]<class T>(std::string_view name, const T*) {
+    schema["properties"][std::string(name)] = schema_for<T>();
     alternatives.push_back({{"required", Json::array({name})}});
   };
-  (put(shape_names[I], static_cast<const std::variant_alternative_t<I, sim::Shape>*>(nullptr)),
+  (put(alternative_names<V>[I], static_cast<const std::variant_alternative_t<I, V>*>(nullptr)),
    ...);
   schema["oneOf"] = alternatives;
 }
@@ -89,8 +89,8 @@ template <Section T>
 void put_properties(Json& schema) {
   for_each_field<T>([&](const auto& field) {
     using Value = std::remove_cvref_t<decltype(std::declval<T&>().*field.member)>;
-    if constexpr (std::is_same_v<Value, sim::Shape>) {
-      put_shapes(schema, std::make_index_sequence<std::variant_size_v<sim::Shape>>());
+    if constexpr (Alternatives<Value>) {
+      put_alternatives<Value>(schema, std::make_index_sequence<std::variant_size_v<Value>>());
     } else if constexpr (std::is_same_v<Value, sim::Settings>) {
       put_properties<Value>(schema);
     } else {

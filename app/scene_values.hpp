@@ -43,15 +43,15 @@ void put_fields(const T& section, Json& object) {
     const auto& value = section.*field.member;
     using Value = std::remove_cvref_t<decltype(value)>;
     if (!field.key.empty()) {
-      if constexpr (!std::is_same_v<Value, sim::Shape>) {
+      if constexpr (!Alternatives<Value>) {
         object[std::string(field.key)] = json_of(value);
       }
     } else if constexpr (Section<Value>) {
       put_fields(value, object);
-    } else if constexpr (std::is_same_v<Value, sim::Shape>) {
+    } else if constexpr (Alternatives<Value>) {
       std::visit(
-          [&](const auto& shape) {
-            object[std::string(shape_names[value.index()])] = json_of(shape);
+          [&](const auto& chosen) {
+            object[std::string(alternative_names<Value>[value.index()])] = json_of(chosen);
           },
           value);
     }

@@ -93,6 +93,35 @@ case $part in
     __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 "none: no EGL device" info
     expect 2 "--set fluid.spacing=wide" check scenes/dam_break.json --set fluid.spacing=wide
     ;;
+  probes)
+    scene_with '{
+      "fluid": {"spacing": 0.1, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.4, 0.8, 0.4]}}]},
+      "domain": {"min": [0, 0, 0], "max": [0.8, 1.2, 0.4]},
+      "probes": [{"name": "gauge", "surface_height": {"x": 0.2, "z": 0.2}},
+                 {"name": "dry", "surface_height": {"x": 0.7, "z": 0.2}},
+                 {"name": "tap", "pressure": {"point": [0.2, 0, 0.2]}}],
+      "video": {"duration": 0.1, "frames_per_second": 20, "width": 32, "height": 32}
+    }'
+    out=$folder/probed
+    expect 0 '"table": "probes.csv"' simulate "$folder/scene.json" -o "$out" --json
+    [[ $(head -n 1 "$out/probes.csv") == "time_s,gauge_m,dry_m,tap_Pa" ]] || complain "has no header" simulate
+    awk -F, 'NR == 2 && !($1 == 0 && $2 > 0.75 && $2 < 0.85 && $3 == "" && $4 == 0) { exit 1 }
+             NR == 3 && !($1 == 0.05 && $2 > 0.7 && $2 < 0.85) { exit 1 }
+             END { exit NR != 3 }' "$out/probes.csv" || complain "read something else" simulate
+    [[ $(grep -c "<svg" "$out/probes.html") == 2 ]] || complain "did not plot what was measured" simulate
+    grep -qi "src=\|href=.http" "$out/probes.html" && complain "needs other files for its report" simulate
+    # At a rate of their own; from kept particles, a reading a frame; without gnuplot, no plots.
+    expect 0 "probes.html" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
+    [[ $(wc -l <"$out/probes.csv") == 22 ]] || complain "did not read at the rate" simulate
+    expect 0 "--no-cache reads them 400 times a second" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
+    [[ $(wc -l <"$out/probes.csv") == 3 ]] || complain "did not read the kept frames" simulate
+    mkdir "$folder/bin"
+    PATH=$folder/bin "$program" simulate "$folder/scene.json" -o "$out" >"$folder/out" 2>"$folder/err" ||
+      complain "failed without gnuplot" simulate
+    grep -q "gnuplot-nox" "$folder/err" || complain "did not say that gnuplot is missing" simulate
+    grep -q "No plot here" "$out/probes.html" || complain "left no report without gnuplot" simulate
+    expect 2 'did you mean "pressure"?' check "$folder/scene.json" --set 'probes=[{"name": "a", "presure": {}}]'
+    ;;
   info)
     expect 0 "processor" info
     expect 0 '"renderer"' info --json

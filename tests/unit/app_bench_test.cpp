@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "app/bench_measure.hpp"
-#include "app/bench_plot.hpp"
 #include "app/bench_report.hpp"
 #include "app/bench_runs.hpp"
 #include "app/bench_table.hpp"

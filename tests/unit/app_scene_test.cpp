@@ -177,7 +177,7 @@ TEST_CASE("the schema refuses unknown keys everywhere and tells ranges, names an
   const auto& volume = fluid["properties"]["volumes"]["items"];
   CHECK(volume["additionalProperties"] == false);
   CHECK(volume["properties"].contains("sphere"));
-  CHECK(volume["oneOf"].size() == shape_names.size());
+  CHECK(volume["oneOf"].size() == alternative_names<sim::Shape>.size());
   CHECK(schema["properties"]["look"]["properties"]["style"]["enum"].size() == 2);
 }
 

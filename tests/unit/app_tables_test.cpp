@@ -51,6 +51,12 @@ TEST_CASE("every member of every settings struct has its key") {
   // All but the body, which is made from the file.
   STATIC_REQUIRE(member_count<sim::TriangleMesh>() ==
                  1 + std::tuple_size_v<decltype(table<sim::TriangleMesh>)>);
+  STATIC_REQUIRE(complete<sim::Probe>);
+  STATIC_REQUIRE(complete<sim::SurfaceHeightProbe>);
+  STATIC_REQUIRE(complete<sim::PressureProbe>);
+  STATIC_REQUIRE(complete<sim::FrontProbe>);
+  STATIC_REQUIRE(complete<sim::EnergyProbe>);
+  STATIC_REQUIRE(complete<sim::VolumeProbe>);
   STATIC_REQUIRE(complete<sim::DomainSettings>);
   STATIC_REQUIRE(complete<sim::Obstacle>);
   STATIC_REQUIRE(complete<sim::ForceSettings>);

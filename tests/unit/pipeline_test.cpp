@@ -2,12 +2,15 @@
 // early.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "app/bounded_queue.hpp"
@@ -144,6 +147,53 @@ TEST_CASE("particles kept by one run can be drawn by another") {
   REQUIRE(app::run_render(scene(), other) == app::done);
   CHECK(report_of(other.output).at("frames_simulated") == 0);
   CHECK(bytes_of(other.output / "frames/0004.png") == bytes_of(options.output / "frames/0004.png"));
+}
+
+TEST_CASE("probes are read in every frame or at their rate, and in frames that were kept") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.simulate_only = GENERATE(true, false);
+  const auto probed = [&](const char* rate) {
+    return scene({R"(probes=[{"name": "e", "energy": {}}, {"name": "f", "front": {}}])",
+                  fmt::format("probes_rate={}", rate)});
+  };
+  REQUIRE(app::run_render(probed("0"), options) == app::done);
+  const std::string table = bytes_of(options.output / "probes.csv");
+  const auto report = report_of(options.output);
+  CHECK(report.at("probes").at("table") == "probes.csv");
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "time_s,e_kinetic_J,e_potential_J,e_total_J,f_m");
+  for (const auto& frame : report.at("frames")) {
+    double time = -1, kinetic = -1, potential = -1;
+    REQUIRE(std::getline(lines, line));
+    REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf", &time, &kinetic, &potential) == 3);
+    CHECK(time == Approx(frame.at("time").get<double>()));
+    CHECK(kinetic == Approx(frame.at("kinetic_energy").get<double>()).margin(1e-9));
+    CHECK(potential == Approx(frame.at("potential_energy").get<double>()));
+  }
+  CHECK_FALSE(std::getline(lines, line));
+  CHECK_THAT(bytes_of(options.output / "probes.html"), Catch::Contains("<h2>f</h2>"));
+
+  fs::remove(options.output / "probes.csv");
+  REQUIRE(app::run_render(probed("0"), options) == app::done);
+  CHECK(report_of(options.output).at("frames_simulated") == 0);
+  CHECK(bytes_of(options.output / "probes.csv") == table);
+
+  REQUIRE(app::run_render(probed("200"), options) == app::done);
+  const std::string often = bytes_of(options.output / "probes.csv");
+  CHECK(std::count(often.begin(), often.end(), '\n') == 1 + 34);  // 0, 0.005 ... 0.165 s
+  CHECK(report_of(options.output).at("frames").at(5).at("steps") >= 6);
+}
+
+TEST_CASE("a scene without probes has no table of them") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.simulate_only = true;
+  REQUIRE(app::run_render(scene({"probes_rate=500"}), options) == app::done);
+  CHECK_FALSE(fs::exists(options.output / "probes.csv"));
+  CHECK_FALSE(report_of(options.output).contains("probes"));
 }
 
 TEST_CASE("meshes and particles are exported on request, and nothing is drawn by simulate") {

@@ -1,4 +1,4 @@
-#include "app/bench_plot.hpp"
+#include "app/plot.hpp"
 
 #include <fmt/format.h>
 
@@ -27,9 +27,10 @@ std::string style(const Curve& curve) {
   const int open_shape = curve.marker == Marker::circle ? 6 : 4;
   const std::string points =
       fmt::format("pointtype {} pointsize 0.8", open_shape + (curve.filled ? 1 : 0));
+  const int dashes = curve.dashed ? 2 : 1;
   if (curve.marker == Marker::none)
-    return fmt::format("with lines dashtype 2 {}", color);
-  return curve.line ? fmt::format("with linespoints dashtype 2 {} {}", color, points)
+    return fmt::format("with lines dashtype {} {}", dashes, color);
+  return curve.line ? fmt::format("with linespoints dashtype {} {} {}", dashes, color, points)
                     : fmt::format("with points {} {}", color, points);
 }
 
@@ -53,7 +54,8 @@ std::string gnuplot_script(const Plot& plot) {
   return "set terminal svg size 600,440 font 'sans-serif,12' background '#ffffff'\n"
          "set grid\nset key above\nset format '%g'\n" +
          (log_axes ? fmt::format("set logscale {}\n", log_axes) : std::string()) +
-         (plot.log_x ? "" : "set xrange [0:*]\n") + (plot.log_y ? "" : "set yrange [0:*]\n") +
+         (plot.log_x ? "" : "set xrange [0:*]\n") +
+         (plot.log_y || !plot.y_from_zero ? "" : "set yrange [0:*]\n") +
          fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\n", quoted(plot.x_label),
                      quoted(plot.y_label)) +
          data + curves + "\n";
@@ -75,6 +77,54 @@ std::string draw_svg(const Plot& plot) {
     throw std::runtime_error(
         fmt::format("gnuplot failed (code {}): {}", result.exit_code, result.err));
   return result.out.substr(begin, end + 6 - begin);
+}
+
+std::string PlotDrawer::operator()(const Plot& plot) {
+  try {
+    if (failure_.empty())
+      return draw_svg(plot) + "\n";
+  } catch (const std::exception& error) {
+    failure_ = error.what();
+  }
+  return "<p>No plot here: it could not be drawn.</p>\n";
+}
+
+std::string html_head(const std::string& title) {
+  constexpr const char* style = R"(<style>
+body { font: 15px/1.4 sans-serif; max-width: 80em; margin: 2em auto; padding: 0 1em; }
+table { border-collapse: collapse; font-size: 13px; }
+th, td { padding: 0.15em 0.6em; text-align: right; border-bottom: 1px solid #ddd; }
+th { border-bottom: 2px solid #888; }
+tr.front { font-weight: bold; }
+tr.failed { color: #a00; }
+svg { max-width: 100%; height: auto; }
+</style>
+)";
+  const std::string text = html_escaped(title);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n{}"
+      "</head>\n<body>\n<h1>{}</h1>\n",
+      text, style, text);
+}
+
+std::string html_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
 }
 
 }  // namespace spindrift::app

@@ -1,0 +1,35 @@
+// What a scene's probes read in the course of a run, as a table and as a report.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/plot.hpp"
+#include "app/scene.hpp"
+
+namespace spindrift::app {
+
+/// All probes at one instant.
+struct ProbeReading {
+  double time = 0;             ///< s
+  std::vector<double> values;  ///< one for each column of each probe; NaN: nothing to measure
+};
+
+ProbeReading read_probes(const Scene& scene, const sim::Frame& frame);
+
+/// The times in (begin, end], s, that are whole multiples of the period 1/rate, from 0 on. One that
+/// is `end` but for rounding is `end`.
+/// @param rate readings per second, above 0
+std::vector<double> reading_times(double begin, double end, double rate);
+
+/// A line for each reading under a header with the units; a cell is empty where there was nothing
+/// to measure.
+std::string probes_csv(const Scene& scene, const std::vector<ProbeReading>& readings);
+
+/// A page with a plot over time of every probe, one for each unit.
+/// @param draw makes an <svg> element of a plot, or what is to stand in its place
+std::string probes_html(const Scene& scene, const std::vector<ProbeReading>& readings,
+                        const std::function<std::string(const Plot&)>& draw);
+
+}  // namespace spindrift::app
