@@ -59,7 +59,7 @@ TEST_CASE("hard: a block thrown into a corner without gravity", "[hard]") {
   check("zero gravity, thrown", s, watch(s, 1, 30), {.sph_compression = 0.15});
 }
 
-TEST_CASE("hard: gravity that turns round within a hundredth of a second", "[hard]") {
+TEST_CASE("hard: gravity that turns round within a hundredth of a second", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Settings s = half_full(solver);
   const glm::vec3 up(0, 2 * 9.81f, 0);
@@ -90,7 +90,7 @@ TEST_CASE("hard: a tank shaken at the resonance of its first mode", "[hard][!may
   shake(SolverType::pcisph);
 }
 
-TEST_CASE("hard: a tank shaken at the resonance of its first mode, basic SPH", "[hard]") {
+TEST_CASE("hard: a tank shaken at the resonance of its first mode, basic SPH", "[hard][slow]") {
   shake(SolverType::sph);
 }
 

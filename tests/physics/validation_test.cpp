@@ -157,7 +157,7 @@ double aligned_bound(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("validation: a column's front runs as measured", "[validation]") {
+TEST_CASE("validation: a column's front runs as measured", "[validation][slow]") {
   for (const auto& [name, error] : front_errors(20)) {
     CAPTURE(name);
     CHECK(error.aligned < aligned_bound(name));

@@ -133,7 +133,7 @@ double wave_error(SolverType solver, double spacing, double amplitude) {
 
 }  // namespace
 
-TEST_CASE("validation: a tank one metre deep has hydrostatic pressure", "[validation]") {
+TEST_CASE("validation: a tank one metre deep has hydrostatic pressure", "[validation][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = tank(solver, 1, 0.05, 1e-4);
   const Rest r = at_rest(s, 1, 2);
@@ -158,17 +158,17 @@ void rest_of_tall_column(SolverType solver) {
 
 // Measured: 4.6 % with a tolerance of 1e-4 (13 iterations a step), 3.5 % with 3e-5 (26).
 TEST_CASE("validation: a column four metres tall has hydrostatic pressure",
-          "[validation][!mayfail]") {
+          "[validation][slow][!mayfail]") {
   rest_of_tall_column(SolverType::pcisph);
 }
 
 // Measured: 2.4 %.
 TEST_CASE("validation: a column four metres tall has hydrostatic pressure, basic SPH",
-          "[validation][!mayfail]") {
+          "[validation][slow][!mayfail]") {
   rest_of_tall_column(SolverType::sph);
 }
 
-TEST_CASE("validation: a standing wave has the period of ω² = gk tanh(kh)", "[validation]") {
+TEST_CASE("validation: a standing wave has the period of ω² = gk tanh(kh)", "[validation][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   CHECK(wave_error(solver, 0.05, 0.08) < 0.02);
 }
