@@ -161,7 +161,7 @@ TEST_CASE("hard: the same bytes for one, two and four threads", "[hard]") {
   std::vector<Frame> frames;
   for (const int threads : {1, 2, 4}) {
     omp_set_num_threads(threads);
-    frames.push_back(watch(s, 0.05, 2).end);
+    frames.push_back(watch(s, 0.02, 1).end);
   }
   omp_set_num_threads(threads_before);
   for (const std::size_t k : {1u, 2u}) {
