@@ -1,0 +1,169 @@
+// What must hold in every scene, however hard: measured over a run, frame by frame.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "sim/contact.hpp"
+#include "sim/simulation.hpp"
+#include "sim/time_step.hpp"
+
+namespace spindrift::test {
+
+/// The worst figures of a run.
+struct Invariants {
+  bool finite = true;       ///< every position, velocity, density and pressure
+  bool count_kept = true;   ///< every id once
+  double outside = 0;       ///< farthest that a particle is outside the domain or in a solid, m
+  double energy_start = 0;  ///< J, kinetic and potential
+  double energy_made = 0;  ///< largest rise of the energy over an earlier frame's, less the work of
+                           ///< body forces, relative to what there was and what was put in
+  double max_compression = 0;   ///< largest ρ/ρ₀ − 1
+  double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) in the worst frame
+  double max_speed = 0;         ///< m/s
+  int steps = 0, rejected = 0;
+  std::int64_t iterations = 0;
+  sim::FrameStatistics last;  ///< of the last frame
+  sim::Frame end;
+};
+
+/// The speed of sound of basic SPH that a scene gets by default: ten times the fastest speed that
+/// its accelerations can give over the whole domain, m/s.
+inline float default_speed_of_sound(const sim::Settings& s) {
+  float speed = 0, acceleration = glm::length(s.forces.gravity);
+  for (const sim::Volume& v : s.fluid.volumes)
+    speed = std::max(speed, glm::length(v.velocity));
+  for (const sim::AccelerationKey& k : s.forces.body)
+    acceleration = std::max(acceleration, glm::length(s.forces.gravity + k.acceleration));
+  const float height = s.domain.max.y - s.domain.min.y;
+  return 10 * std::sqrt(speed * speed + 2 * acceleration * height);
+}
+
+/// Looks at frames one after another. Gravity is in the potential energy; the work of the other
+/// body forces is that on the centre of mass. Water that is compressible, as basic SPH's, holds
+/// elastic energy besides: Tait's pressure (Monaghan 2005, eq. 4.3) integrated over the
+/// compression.
+class InvariantsWatch {
+ public:
+  explicit InvariantsWatch(const sim::Settings& settings) : settings_(settings) {}
+
+  void look(const sim::Frame& frame, const sim::FrameStatistics& f) {
+    look_at_particles(frame);
+    look_at_energy(frame, f);
+    worst_.max_compression = std::max(worst_.max_compression, f.max_compression);
+    worst_.mean_compression = std::max(worst_.mean_compression, f.mean_compression);
+    worst_.max_speed = std::max(worst_.max_speed, f.max_speed);
+    worst_.steps += f.steps;
+    worst_.rejected += f.rejected_steps;
+    worst_.iterations += f.iterations;
+    worst_.last = f;
+    worst_.end = frame;
+  }
+
+  const Invariants& worst() const { return worst_; }
+
+ private:
+  void look_at_particles(const sim::Frame& frame) {
+    const auto all_finite = [](glm::vec3 v) {
+      return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    const sim::ContactView contact{
+        {settings_.domain.min.x, settings_.domain.min.y, settings_.domain.min.z},
+        {settings_.domain.max.x, settings_.domain.max.y, settings_.domain.max.z},
+        settings_.obstacles.data(),
+        settings_.obstacles.size()};
+    const std::size_t n = frame.positions.size();
+    std::vector<bool> seen(n, false);
+    for (std::size_t i = 0; i < n; ++i) {
+      const glm::vec3 p = frame.positions[i];
+      worst_.finite = worst_.finite && all_finite(p) && all_finite(frame.velocities[i]) &&
+                      std::isfinite(frame.densities[i]) && std::isfinite(frame.pressures[i]);
+      const sim::Vec3<float> in = contact.resolve({p.x, p.y, p.z});
+      worst_.outside =
+          std::max(worst_.outside, double{glm::distance(p, glm::vec3(in.x, in.y, in.z))});
+      const std::uint32_t id = frame.ids[i];
+      worst_.count_kept = worst_.count_kept && id < n && !seen[id];
+      if (id < n)
+        seen[id] = true;
+    }
+    worst_.count_kept = worst_.count_kept && (count_ == 0 || n == count_);
+    count_ = n;
+  }
+
+  void look_at_energy(const sim::Frame& frame, const sim::FrameStatistics& f) {
+    glm::dvec3 center(0);
+    for (const glm::vec3 p : frame.positions)
+      center += glm::dvec3(p) / static_cast<double>(frame.positions.size());
+    const sim::Vec3<float> a = sim::body_acceleration(settings_.forces, frame.time);
+    const glm::dvec3 force =
+        mass() * (glm::dvec3(a.x, a.y, a.z) - glm::dvec3(settings_.forces.gravity));
+    const double energy = f.kinetic_energy + f.potential_energy + elastic_energy(frame);
+    if (frame.time > 0) {
+      const double work = 0.5 * glm::dot(force + last_force_, center - last_center_);
+      lowest_ += work;
+      put_in_ += std::abs(work);
+    } else {
+      worst_.energy_start = lowest_ = energy;
+      put_in_ = std::max(energy, mass() * 1e-6);  // that of 1.4 mm/s, where there is none
+    }
+    worst_.energy_made = std::max(worst_.energy_made, (energy - lowest_) / put_in_);
+    lowest_ = std::min(lowest_, energy);
+    last_center_ = center;
+    last_force_ = force;
+  }
+
+  /// Σ mᵢ ∫ p/ρ² dρ from ρ₀ to ρᵢ, J.
+  double elastic_energy(const sim::Frame& frame) const {
+    if (settings_.solver.type != sim::SolverType::sph)
+      return 0;
+    double sum = 0;
+    for (const float density : frame.densities) {
+      const double r = std::max(1., double{density} / settings_.fluid.rest_density);
+      sum += (std::pow(r, 6) - 1) / 6 + 1 / r - 1;
+    }
+    const double c = settings_.solver.speed_of_sound;
+    return mass() / static_cast<double>(count_) * c * c / 7 * sum;
+  }
+
+  double mass() const {
+    return double{settings_.fluid.rest_density} * std::pow(settings_.fluid.spacing, 3) *
+           static_cast<double>(count_);
+  }
+
+  const sim::Settings settings_;
+  Invariants worst_;
+  std::size_t count_ = 0;
+  double lowest_ = 0, put_in_ = 0;  // J
+  glm::dvec3 last_center_{0}, last_force_{0};
+};
+
+/// Runs a simulation for `duration` seconds, looked at `frames` times.
+inline Invariants watch(sim::Simulation& simulation, const sim::Settings& settings, double duration,
+                        int frames) {
+  InvariantsWatch w(settings);
+  for (int k = 0; k <= frames; ++k) {
+    const sim::FrameStatistics f = simulation.advance_to(duration * k / frames);
+    w.look(simulation.frame(), f);
+  }
+  return w.worst();
+}
+
+inline Invariants watch(sim::Settings settings, double duration, int frames) {
+  if (settings.solver.speed_of_sound == 0)
+    settings.solver.speed_of_sound = default_speed_of_sound(settings);
+  sim::Simulation simulation(settings);
+  return watch(simulation, settings, duration, frames);
+}
+
+/// Appends a line to the file that the environment variable SPINDRIFT_RESULTS names, if it does:
+/// tests/physics/results.sh makes docs/results.md of such lines.
+inline void record(const std::string& line) {
+  if (const char* file = std::getenv("SPINDRIFT_RESULTS"))
+    std::ofstream(file, std::ios::app) << line << '\n';
+}
+
+}  // namespace spindrift::test
