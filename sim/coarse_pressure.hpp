@@ -55,7 +55,7 @@ class CoarsePressure {
   float applied(std::uint32_t cell, const std::vector<float>& u) const;
 
   GridMap map_;
-  DiffusionKernel kernel_;
+  ConductanceKernel kernel_;
   float lattice_conductance_;  ///< Σ w over a full lattice, the particle itself included, 1/m²
   float aggregate_factor_;     ///< how much too stiff pressure is by being flat in cells, per their
                                ///< size, 1/m

@@ -18,9 +18,12 @@ struct Compression {
 /// Overlapping particles are moved apart this much slower than other leftovers are taken away.
 constexpr double overlap_slowness = 200;
 
-/// Times over which leftovers are taken away, in √(H/g): those that many particles have together,
-/// and those that particles have alone.
-constexpr double time_together = 0.1, time_alone = 0.04;
+/// Time over which what many particles have left over together is taken away, in √(H/g).
+constexpr double time_together = 0.1;
+
+/// Steps of this length, in √(H/g), and longer ones may add the whole tolerance; shorter ones a
+/// part, at least the second number.
+constexpr double full_rate_time = 0.04, least_rate = 0.5;
 
 }  // namespace
 
@@ -50,11 +53,11 @@ const float* Leftover::allow(Executor& executor, Particles& particles, const Cel
   // Where nothing falls, the number of steps decides.
   const double fall = std::sqrt(double{support_radius_} / acceleration);
   const double taken = std::min(1., dt / std::min(20 * dt, time_together * fall));
-  const auto taken_alone = [&](double step) {
-    return static_cast<float>(std::min(1., step / std::min(40 * step, time_alone * fall)));
-  };
   // Repeating a step does not ask for more than the step did.
-  rate_ = taken_alone(dt * std::pow(2., refusals));
+  const double first_dt = dt * std::pow(2., refusals);
+  rate_ = acceleration > 0 && !overlapping_
+              ? static_cast<float>(std::clamp(first_dt / (full_rate_time * fall), least_rate, 1.))
+              : 1;
   if (overlapping_) {
     kept_ = 1 - taken / overlap_slowness * std::pow(0.5, refusals);
     const auto part = static_cast<float>(kept_ * share_);
@@ -62,8 +65,7 @@ const float* Leftover::allow(Executor& executor, Particles& particles, const Cel
                       [=](std::uint32_t i) { excess[i] = part * std::max(0.f, compression[i]); });
     return excess;
   }
-  const float left_together = static_cast<float>(1 - taken), left_alone = 1 - taken_alone(dt);
-  const float most = settings_.mean_compression;
+  const float most = 0.3f * settings_.mean_compression;
   const auto cells = static_cast<std::uint32_t>(grid.cell_count());
   executor.for_each("leftover", cells, [&](std::uint32_t c) {
     const std::uint32_t begin = grid.cell_begin(c), end = grid.cell_begin(c + 1);
@@ -71,9 +73,8 @@ const float* Leftover::allow(Executor& executor, Particles& particles, const Cel
     for (std::uint32_t i = begin; i < end; ++i)
       sum += compression[i];
     const float mean = sum / static_cast<float>(end - begin);
-    const float together = std::clamp(left_together * mean, -most, most);
-    for (std::uint32_t i = begin; i < end; ++i)
-      excess[i] = together + left_alone * (compression[i] - mean);
+    std::fill(excess + begin, excess + end,
+              std::clamp(static_cast<float>(1 - taken) * mean, -most, most));
   });
   return excess;
 }

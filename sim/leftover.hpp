@@ -1,10 +1,10 @@
 // Compression that one step leaves to the next. A step ends within a tolerance, not at zero. What
-// is left over of many particles together would, taken away within one step, throw the liquid above
-// them up, the faster the shorter the step; it is taken away over the time in which gravity moves a
-// particle by a part of its support, and so is, where steps are shorter still, what is left over of
-// single particles. For the same reason short steps may add only a part of the tolerance: an error
-// in density is an error in velocity divided by the step. Particles that start far too dense, as
-// where volumes overlap, are moved apart over many steps.
+// is left over of single particles the next step takes away. What is left over of many particles
+// together would, taken away within one step, throw the liquid above them up, the faster the
+// shorter the step; it is taken away over the time in which gravity moves a particle by a part of
+// its support. For the same reason short steps may add only a part of the tolerance: an error in
+// density is an error in velocity divided by the step. Particles that start far too dense, as where
+// volumes overlap, are moved apart over many steps.
 #pragma once
 
 #include "sim/openmp/cell_grid.hpp"

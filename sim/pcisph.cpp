@@ -94,7 +94,7 @@ class Pcisph : public PressureSolver {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
     return residual.largest <= lenience * settings_.max_compression &&
-           residual.compression <= mean && residual.error <= mean * s.rate;
+           residual.compression <= mean && residual.error <= 2 * mean * s.rate;
   }
 
   /// A part of the last step's pressure. The pressure that is kept is the mean over the time
@@ -152,7 +152,7 @@ class Pcisph : public PressureSolver {
       const float wanted = compression_of(s, i);
       const float compression = std::max(0.f, s.overlapping ? wanted : ratio[i] - 1.f);
       const float releasable = std::min(-wanted, pressure[i] / delta);
-      return Residual{compression, std::max(wanted, releasable), compression};
+      return Residual{compression, compression + std::max(0.f, releasable), compression};
     });
   }
 

@@ -129,20 +129,16 @@ std::vector<double> plain_excess(const Settings& s, const std::vector<dvec3>& st
   const CubicKernel kernel(2 * s.fluid.spacing);
   const double volume = 1 / lattice_kernel_sum(kernel, s.fluid.spacing, 2 * s.fluid.spacing);
   const PlainCells grid(s, drifted);
-  std::vector<double> sum(grid.cells.size(), 0.), count(grid.cells.size(), 0.), own, excess;
+  std::vector<double> sum(grid.cells.size(), 0.), count(grid.cells.size(), 0.), excess;
   for (std::size_t i = 0; i < start.size(); ++i) {
     double ratio = 0;
     for (const dvec3& other : start)
       ratio += volume * double{kernel.value(static_cast<float>(glm::length(start[i] - other)))};
-    own.push_back(std::max(0., ratio - 1));
-    sum[grid.cell_of[i]] += own.back();
+    sum[grid.cell_of[i]] += std::max(0., ratio - 1);
     count[grid.cell_of[i]] += 1;
   }
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    const double mean = sum[grid.cell_of[i]] / count[grid.cell_of[i]];
-    excess.push_back(std::min(0.95 * mean, double{s.solver.mean_compression}) +
-                     0.975 * (own[i] - mean));
-  }
+  for (const std::size_t c : grid.cell_of)
+    excess.push_back(std::min(0.95 * sum[c] / count[c], 0.3 * s.solver.mean_compression));
   return excess;
 }
 
