@@ -35,11 +35,6 @@ struct Residual {
   }
 };
 
-struct Largest {
-  float value = 0;
-  void join(const Largest& other) { value = std::max(value, other.value); }
-};
-
 template <class Kernel>
 class Pcisph : public PressureSolver {
  public:

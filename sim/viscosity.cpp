@@ -8,11 +8,6 @@
 namespace spindrift::sim {
 namespace {
 
-struct Largest {
-  float value = 0;
-  void join(const Largest& other) { value = std::max(value, other.value); }
-};
-
 /// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
 /// to twice that rate, and a step must stay below 2 / (2 rate). Half of it is taken.
 double stable_step(const FluidConstants& c, const DiffusionKernel& kernel) {

@@ -58,6 +58,12 @@ struct Sum {
   void join(const Sum& other) { value += other.value; }
 };
 
+/// The largest of values that are not negative.
+struct Largest {
+  float value = 0;
+  void join(const Largest& other) { value = std::max(value, other.value); }
+};
+
 class Executor {
  public:
   using Index = std::uint32_t;
