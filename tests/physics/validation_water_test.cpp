@@ -133,8 +133,8 @@ double wave_error(SolverType solver, double spacing, double amplitude) {
 
 }  // namespace
 
-// 2 % is the goal. Measured: 1.2 to 4.9 %, with what changes how the particles settle; the mean of
-// twenty frames is still noisy.
+// 2 % is the goal. Measured with PCISPH: 1.2 to 4.9 %, with what changes how the particles settle;
+// the mean of twenty frames is still noisy.
 TEST_CASE("validation: a tank one metre deep has hydrostatic pressure", "[validation][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = tank(solver, 1, 0.05, 1e-4);
@@ -168,7 +168,7 @@ TEST_CASE("validation: a column four metres tall has hydrostatic pressure, basic
   rest_of_tall_column(SolverType::sph, 0.03);
 }
 
-// 2 % is the goal. Measured: 2.1 % with PCISPH at this spacing.
+// 2 % is the goal. Measured: 2.1 % with basic SPH at this spacing, 0.03 % with PCISPH.
 TEST_CASE("validation: a standing wave has the period of ω² = gk tanh(kh)", "[validation][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   CHECK(wave_error(solver, 0.05, 0.08) < 0.025);
