@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "app/closed_surface.hpp"
+#include "sim/initial.hpp"
 #include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 

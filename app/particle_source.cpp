@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/interrupt.hpp"
+#include "sim/initial.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "app/estimate.hpp"
 #include "app/scene_fields.hpp"
+#include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::app {

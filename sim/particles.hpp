@@ -12,6 +12,10 @@
 
 namespace spindrift::sim {
 
+inline Vec3<float> from_glm(glm::vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
 /// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
 class ScalarField {
  public:

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/lattice.hpp"
+#include "sim/initial.hpp"
 #include "sim/leftover.hpp"
+#include "sim/measure.hpp"
 #include "sim/neighbourhood.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/shapes.hpp"
@@ -21,48 +22,6 @@ namespace {
 /// where the lists were made.
 constexpr float list_radius_factor = 1.05f;
 
-FluidConstants constants_of(const FluidSettings& fluid) {
-  const float radius = 2 * fluid.spacing;
-  const CubicKernel kernel(radius);
-  return {.spacing = fluid.spacing,
-          .support_radius = radius,
-          .rest_density = fluid.rest_density,
-          .volume = static_cast<float>(1 / lattice_kernel_sum(kernel, fluid.spacing, radius)),
-          .viscosity = fluid.viscosity,
-          .wall_viscosity = fluid.wall_viscosity};
-}
-
-Vec3<float> from_glm(glm::vec3 v) {
-  return {v.x, v.y, v.z};
-}
-
-/// Ten times the fastest speed that falling through the whole domain can give, m/s.
-float default_speed_of_sound(const Settings& settings, const InitialParticles& initial) {
-  float speed = 0;
-  for (const glm::vec3 v : initial.velocities)
-    speed = std::max(speed, glm::length(v));
-  float acceleration = glm::length(settings.forces.gravity);
-  for (const AccelerationKey& k : settings.forces.body)
-    acceleration += glm::length(k.acceleration);
-  const glm::vec3 size = settings.domain.max - settings.domain.min;
-  const glm::vec3 down = glm::abs(settings.forces.gravity);
-  const float height =
-      glm::length(down) > 0 ? glm::dot(size, down) / glm::length(down) : glm::length(size);
-  return 10 * std::max(std::sqrt(speed * speed + 2 * acceleration * height), 1e-3f);
-}
-
-struct Totals {
-  double compression = 0, squared_speed = 0, height = 0, squared_pressure = 0;
-  float max_compression = 0;
-  void join(const Totals& o) {
-    compression += o.compression;
-    squared_speed += o.squared_speed;
-    height += o.height;
-    squared_pressure += o.squared_pressure;
-    max_compression = std::max(max_compression, o.max_compression);
-  }
-};
-
 struct Motion {
   float squared_speed = 0;
   std::int64_t contacts = 0;
@@ -75,16 +34,6 @@ struct Motion {
 };
 
 }  // namespace
-
-InitialParticles fill_volumes(const Settings& settings) {
-  InitialParticles initial;
-  for (const Volume& volume : settings.fluid.volumes) {
-    const auto points = fill_shape(volume.shape, settings.fluid.spacing);
-    initial.positions.insert(initial.positions.end(), points.begin(), points.end());
-    initial.velocities.insert(initial.velocities.end(), points.size(), volume.velocity);
-  }
-  return initial;
-}
 
 struct Simulation::Impl {
   Settings settings;
@@ -261,36 +210,18 @@ struct Simulation::Impl {
     note_leftover(false);
   }
 
-  /// Recomputes the density from the positions with the full neighbourhood, and the energies.
+  /// The liquid as it is now.
   void measure(FrameStatistics& statistics) {
-    const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
-    executor.for_each("measure", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
-    find_neighbours();
-    const CubicKernel kernel(constants.support_radius);
-    const NeighbourView neighbours = neighbourhood.fluid();
-    const BoundaryView solid = neighbourhood.boundary();
-    const Vec3Arrays position = particles.drifted_position.view(), v = particles.velocity.view();
-    const float* pressure = particles.pressure.data();
-    float* ratio = particles.density_ratio.data();
-    const glm::vec3 g = settings.forces.gravity;
-    const glm::vec3 lowest(g.x > 0 ? settings.domain.max.x : settings.domain.min.x,
-                           g.y > 0 ? settings.domain.max.y : settings.domain.min.y,
-                           g.z > 0 ? settings.domain.max.z : settings.domain.min.z);
-    const Vec3<float> down = from_glm(g), origin = from_glm(lowest);
-    const Totals t = executor.reduce<Totals>("measure", particles.count, [&](std::uint32_t i) {
-      ratio[i] = density_ratio(i, constants, kernel, position, neighbours, solid);
-      const float error = std::max(0.f, ratio[i] - 1.f);
-      const double p = pressure[i];
-      return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), p * p, error};
-    });
-    const double mass = double{constants.rest_density} * constants.volume;
+    const Measured m =
+        spindrift::sim::measure(executor, particles, neighbourhood, constants, settings,
+                                list_radius_factor * constants.support_radius);
     // The same number for a run in one piece and one that goes on from here.
-    mean_pressure = std::sqrt(t.squared_pressure / particles.count);
-    statistics.mean_compression = t.compression / particles.count;
-    statistics.max_compression = t.max_compression;
+    mean_pressure = m.rms_pressure;
+    statistics.mean_compression = m.mean_compression;
+    statistics.max_compression = m.max_compression;
     statistics.max_speed = max_speed;
-    statistics.kinetic_energy = 0.5 * mass * t.squared_speed;
-    statistics.potential_energy = mass * t.height;
+    statistics.kinetic_energy = m.kinetic_energy;
+    statistics.potential_energy = m.potential_energy;
   }
 
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {

@@ -76,10 +76,4 @@ class Simulation {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Lattice positions and velocities of a scene's volumes, without building a simulation.
-struct InitialParticles {
-  std::vector<glm::vec3> positions, velocities;
-};
-InitialParticles fill_volumes(const Settings& settings);
-
 }  // namespace spindrift::sim

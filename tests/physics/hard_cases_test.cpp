@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "hard_cases.hpp"
+#include "sim/initial.hpp"
 
 using namespace spindrift::sim;
 using namespace spindrift::test;

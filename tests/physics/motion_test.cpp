@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift::sim;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift::sim;

@@ -12,6 +12,7 @@
 #include "app/bench_runs.hpp"
 #include "app/bench_table.hpp"
 #include "app/process.hpp"
+#include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift;

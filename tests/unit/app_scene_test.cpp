@@ -9,6 +9,7 @@
 #include "app/estimate.hpp"
 #include "app/scene.hpp"
 #include "app/scene_fields.hpp"
+#include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift;

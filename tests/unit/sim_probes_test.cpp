@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "sim/initial.hpp"
 #include "sim/probes.hpp"
 
 using namespace spindrift::sim;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/initial.hpp"
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 #include "sim/simulation.hpp"

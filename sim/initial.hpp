@@ -1,0 +1,24 @@
+// What a run starts with: the particles that fill a scene's volumes, and the numbers that stay the
+// same.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "sim/settings.hpp"
+
+namespace spindrift::sim {
+
+/// Lattice positions, m, and velocities, m/s, of a scene's volumes.
+struct InitialParticles {
+  std::vector<glm::vec3> positions, velocities;
+};
+InitialParticles fill_volumes(const Settings& settings);
+
+struct FluidConstants;
+FluidConstants constants_of(const FluidSettings& fluid);
+
+/// Ten times the fastest speed that falling through the whole domain can give, m/s.
+float default_speed_of_sound(const Settings& settings, const InitialParticles& initial);
+
+}  // namespace spindrift::sim

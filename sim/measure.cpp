@@ -1,0 +1,55 @@
+#include "sim/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spindrift::sim {
+namespace {
+
+struct Totals {
+  double compression = 0, squared_speed = 0, height = 0, squared_pressure = 0;
+  float max_compression = 0;
+  void join(const Totals& o) {
+    compression += o.compression;
+    squared_speed += o.squared_speed;
+    height += o.height;
+    squared_pressure += o.squared_pressure;
+    max_compression = std::max(max_compression, o.max_compression);
+  }
+};
+
+/// The domain's corner in which nothing can fall any further, m.
+Vec3<float> lowest_corner(const Settings& settings) {
+  const glm::vec3 g = settings.forces.gravity, min = settings.domain.min, max = settings.domain.max;
+  return {g.x > 0 ? max.x : min.x, g.y > 0 ? max.y : min.y, g.z > 0 ? max.z : min.z};
+}
+
+}  // namespace
+
+Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+                 const FluidConstants& constants, const Settings& settings, float radius) {
+  const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+  executor.for_each("measure", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
+  neighbourhood.update(executor, particles, radius);
+  const CubicKernel kernel(constants.support_radius);
+  const NeighbourView neighbours = neighbourhood.fluid();
+  const BoundaryView solid = neighbourhood.boundary();
+  const Vec3Arrays position = particles.drifted_position.view(), v = particles.velocity.view();
+  const float* pressure = particles.pressure.data();
+  float* ratio = particles.density_ratio.data();
+  const Vec3<float> down = from_glm(settings.forces.gravity), origin = lowest_corner(settings);
+  const Totals t = executor.reduce<Totals>("measure", particles.count, [&](std::uint32_t i) {
+    ratio[i] = density_ratio(i, constants, kernel, position, neighbours, solid);
+    const float error = std::max(0.f, ratio[i] - 1.f);
+    const double p = pressure[i];
+    return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), p * p, error};
+  });
+  const double mass = double{constants.rest_density} * constants.volume;
+  return {.mean_compression = t.compression / particles.count,
+          .max_compression = t.max_compression,
+          .kinetic_energy = 0.5 * mass * t.squared_speed,
+          .potential_energy = mass * t.height,
+          .rms_pressure = std::sqrt(t.squared_pressure / particles.count)};
+}
+
+}  // namespace spindrift::sim

@@ -1,0 +1,21 @@
+// The error and the energies of the liquid as it stands, independent of any solver.
+#pragma once
+
+#include "sim/neighbourhood.hpp"
+
+namespace spindrift::sim {
+
+struct Measured {
+  double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) over the particles
+  double max_compression = 0;   ///< largest ρ/ρ₀ − 1, at least 0
+  double kinetic_energy = 0;    ///< J
+  double potential_energy = 0;  ///< J, against the domain's lowest corner along gravity
+  double rms_pressure = 0;      ///< root mean square over the particles, Pa
+};
+
+/// Recomputes every particle's density ratio from its position with the full neighbourhood, listed
+/// anew within `radius`, m, and sums up. Leaves the positions as the drifted ones.
+Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+                 const FluidConstants& constants, const Settings& settings, float radius);
+
+}  // namespace spindrift::sim
