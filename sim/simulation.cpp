@@ -10,6 +10,7 @@
 #include "sim/measure.hpp"
 #include "sim/neighbourhood.hpp"
 #include "sim/pcisph.hpp"
+#include "sim/settle.hpp"
 #include "sim/shapes.hpp"
 #include "sim/time_step.hpp"
 #include "sim/viscosity.hpp"
@@ -226,8 +227,11 @@ struct Simulation::Impl {
 
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
     FrameStatistics statistics;
-    if (time_step.last() == 0)
+    if (time_step.last() == 0) {
+      settle(executor, particles, neighbourhood, constants, settings.solver, map, contact(),
+             list_radius_factor * constants.support_radius);
       measure_start();
+    }
     const double tiny = 1e-9 * std::max(1.0, std::abs(end));
     while (end - time > tiny) {
       if (stop != nullptr && *stop)

@@ -1,0 +1,160 @@
+#include "sim/settle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "sim/pcisph.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+/// Sweeps after which there is taken to be no room for the liquid.
+constexpr int most_sweeps = 400;
+
+/// Part of the compression that a sweep may leave; more where that asks too much.
+constexpr float left_by_a_sweep = 0.5f;
+
+/// Particles closer than this many spacings have no direction in which to part.
+constexpr float same_place = 0.01f;
+
+struct Compression {
+  double sum = 0;
+  float largest = 0;
+  void join(const Compression& o) {
+    sum += o.sum;
+    largest = std::max(largest, o.largest);
+  }
+};
+
+/// A direction that depends on the number alone (golden-angle spiral on the sphere).
+Vec3<float> direction_of(std::uint32_t id) {
+  const double z = 1 - 2 * std::fmod(0.5 + 0.6180339887498949 * id, 1.);
+  const double angle = 2.399963229728653 * id, across = std::sqrt(1 - z * z);
+  return {static_cast<float>(across * std::cos(angle)),
+          static_cast<float>(across * std::sin(angle)), static_cast<float>(z)};
+}
+
+class Settling {
+ public:
+  Settling(Executor& e, Particles& p, Neighbourhood& n, const FluidConstants& c,
+           const SolverSettings& s, const GridMap& m, const ContactView& w, float r)
+      : executor(e),
+        particles(p),
+        neighbourhood(n),
+        constants(c),
+        settings(s),
+        map(m),
+        contact(w),
+        radius(r),
+        solver(make_pcisph(s, c)) {}
+
+  int run() {
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+      const Compression found = compression();
+      if (found.largest <= settings.max_compression &&
+          found.sum <= double{settings.mean_compression} * particles.count)
+        return sweep;
+      part_coincident();
+      ease(1 + found.largest);
+    }
+    throw std::invalid_argument(
+        "the domain has no room for the liquid: its volumes overlap each other or the walls; "
+        "make fluid.volumes smaller or domain larger");
+  }
+
+ private:
+  void find_neighbours() {
+    const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+    executor.for_each("settle", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
+    neighbourhood.update(executor, particles, radius);
+  }
+
+  Compression compression() {
+    find_neighbours();
+    const CubicKernel kernel(constants.support_radius);
+    const Vec3Arrays position = particles.drifted_position.view();
+    const NeighbourView neighbours = neighbourhood.fluid();
+    const BoundaryView solid = neighbourhood.boundary();
+    float* above = particles.compression.resized(particles.count);
+    return executor.reduce<Compression>("settle", particles.count, [&](std::uint32_t i) {
+      above[i] =
+          std::max(0.f, density_ratio(i, constants, kernel, position, neighbours, solid) - 1);
+      return Compression{above[i], above[i]};
+    });
+  }
+
+  /// The gradient of a kernel is zero at its middle.
+  void part_coincident() {
+    const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+    const NeighbourView neighbours = neighbourhood.fluid();
+    const float near = same_place * constants.spacing;
+    executor.for_each("settle", particles.count, [&](std::uint32_t i) {
+      const Vec3<float> xi = at[i];
+      const float count = neighbours.sum(i, [&](auto j) {
+        const auto d = xi - at[j];
+        return dot(d, d) < near * near ? 1.f + 0.f * d.x : 0.f * d.x;
+      });
+      if (count > 1.5f)
+        x.set(i, contact.resolve(xi + 5 * near * direction_of(particles.ids[i])));
+    });
+    find_neighbours();
+  }
+
+  void ease(float densest) {
+    const Vec3Arrays x = particles.position.view();
+    const std::uint32_t n = particles.count;
+    float* excess = particles.excess.resized(n);
+    const float* above = particles.compression.data();
+    float* pressure = particles.pressure.data();
+    int refusals = 0;
+    for (float part = left_by_a_sweep;; part = 0.5f * (1 + part), ++refusals) {
+      executor.for_each("settle", n, [=](std::uint32_t i) {
+        excess[i] = part * above[i];
+        pressure[i] = 0;
+      });
+      const StepResult result = solver->solve({.executor = executor,
+                                               .particles = particles,
+                                               .constants = constants,
+                                               .neighbours = neighbourhood.fluid(),
+                                               .boundary = neighbourhood.boundary(),
+                                               .grid = &neighbourhood.grid(),
+                                               .map = &map,
+                                               .contact = contact,
+                                               .time_step = settings.max_time_step,
+                                               .refusals = refusals,
+                                               .kick = settings.max_time_step,
+                                               .excess = excess,
+                                               .rate = 1,
+                                               .overlapping = true,
+                                               .densest = densest});
+      if (!result.accepted && part < 0.99f)
+        continue;
+      break;
+    }
+    const Vec3Arrays corrected = particles.corrected_position.view();
+    executor.for_each("settle", n, [=](std::uint32_t i) { x.set(i, corrected[i]); });
+  }
+
+  Executor& executor;
+  Particles& particles;
+  Neighbourhood& neighbourhood;
+  const FluidConstants& constants;
+  const SolverSettings& settings;
+  const GridMap& map;
+  const ContactView& contact;
+  float radius;
+  std::unique_ptr<PressureSolver> solver;
+};
+
+}  // namespace
+
+int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+           const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
+           const ContactView& contact, float radius) {
+  return Settling(executor, particles, neighbourhood, constants, settings, map, contact, radius)
+      .run();
+}
+
+}  // namespace spindrift::sim
