@@ -19,6 +19,13 @@ struct ContactView {
   /// The point itself, or the nearest one that is inside the domain and outside every obstacle, m.
   Vec3<float> resolve(Vec3<float> p) const;
 
+  /// The point itself, or the nearest one that is `distance`, m, off the domain's walls and outside
+  /// every obstacle.
+  Vec3<float> resolve_off_walls(Vec3<float> p, float distance) const;
+
+  /// The same for a point on its way from another: no further off a wall than that one is.
+  Vec3<float> stop_off_walls(Vec3<float> p, Vec3<float> from, float distance) const;
+
   /// Whether a point is inside the domain and outside every obstacle.
   bool is_open(Vec3<float> p) const;
 };
@@ -35,6 +42,26 @@ inline Vec3<float> ContactView::resolve(Vec3<float> p) const {
     p = push_out(obstacles[k].shape, p);
   const auto within = [](float v, float lo, float hi) { return v < lo ? lo : (v > hi ? hi : v); };
   return {within(p.x, min.x, max.x), within(p.y, min.y, max.y), within(p.z, min.z, max.z)};
+}
+
+inline Vec3<float> ContactView::resolve_off_walls(Vec3<float> p, float distance) const {
+  const Vec3<float> off{distance, distance, distance};
+  return ContactView{min + off, max - off, obstacles, obstacle_count}.resolve(p);
+}
+
+inline Vec3<float> ContactView::stop_off_walls(Vec3<float> p, Vec3<float> from,
+                                               float distance) const {
+  const auto lower = [=](float wall, float start) {
+    return start < wall + distance ? start : wall + distance;
+  };
+  const auto upper = [=](float wall, float start) {
+    return start > wall - distance ? start : wall - distance;
+  };
+  return ContactView{{lower(min.x, from.x), lower(min.y, from.y), lower(min.z, from.z)},
+                     {upper(max.x, from.x), upper(max.y, from.y), upper(max.z, from.z)},
+                     obstacles,
+                     obstacle_count}
+      .resolve(p);
 }
 
 inline bool ContactView::is_open(Vec3<float> p) const {

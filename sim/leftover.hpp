@@ -2,9 +2,9 @@
 // is left over of single particles the next step takes away. What is left over of many particles
 // together would, taken away within one step, throw the liquid above them up, the faster the
 // shorter the step; it is taken away over the time in which gravity moves a particle by a part of
-// its support. For the same reason short steps may add only a part of the tolerance: an error in
-// density is an error in velocity divided by the step. Particles that start far too dense, as where
-// volumes overlap, are moved apart over many steps.
+// its support. So is, step by step, that of a particle that is far too dense. For the same reason
+// short steps may add only a part of the tolerance: an error in density is an error in velocity
+// divided by the step.
 #pragma once
 
 #include "sim/openmp/cell_grid.hpp"
@@ -21,7 +21,7 @@ class Leftover {
 
   /// Notes the compression that there is, from density ratios and pressures: at the end of a step,
   /// or of particles as they are given.
-  void note(Executor& executor, Particles& particles, bool after_a_step);
+  void note(Executor& executor, Particles& particles);
 
   /// Compression that a step of length dt, s, tried for the given time, may leave, per particle.
   /// @param acceleration of the body, m/s²
@@ -30,20 +30,11 @@ class Leftover {
 
   /// Part of the tolerance that the step may add.
   float rate() const { return rate_; }
-  /// True while particles are far too dense.
-  bool overlapping() const { return overlapping_; }
-  /// Largest density ratio of the particles while they are; else 1.
-  float densest() const { return overlapping_ ? densest_ : 1; }
 
  private:
   SolverSettings settings_;
   float support_radius_;  ///< m
   float rate_ = 1;
-  bool overlapping_ = false;
-  float densest_ = 1;
-  double left_to_release_ = 0;  ///< mean compression of overlapping particles that is allowed yet
-  double kept_ = 1;             ///< part of it that this step may leave
-  double share_ = 1;            ///< of it in the compression that there is
 };
 
 }  // namespace spindrift::sim

@@ -51,6 +51,7 @@ class Settling {
         solver(make_pcisph(s, c)) {}
 
   int run() {
+    place_alone();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
       const Compression found = compression();
       if (found.largest <= settings.max_compression &&
@@ -82,6 +83,17 @@ class Settling {
       above[i] =
           std::max(0.f, density_ratio(i, constants, kernel, position, neighbours, solid) - 1);
       return Compression{above[i], above[i]};
+    });
+  }
+
+  /// A particle that nothing presses on lies as far off the walls as liquid at rest does.
+  void place_alone() {
+    find_neighbours();
+    const Vec3Arrays x = particles.position.view();
+    const NeighbourView neighbours = neighbourhood.fluid();
+    executor.for_each("settle", particles.count, [&](std::uint32_t i) {
+      if (neighbours.alone(i, particles.count))
+        x.set(i, contact.resolve_off_walls(x[i], 0.5f * constants.spacing));
     });
   }
 
@@ -127,7 +139,7 @@ class Settling {
                                                .kick = settings.max_time_step,
                                                .excess = excess,
                                                .rate = 1,
-                                               .overlapping = true,
+                                               .settling = true,
                                                .densest = densest});
       if (!result.accepted && part < 0.99f)
         continue;

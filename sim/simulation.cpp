@@ -111,9 +111,7 @@ struct Simulation::Impl {
             .refusals = refusals,
             .kick = kick(dt),
             .excess = excess,
-            .rate = leftover.rate(),
-            .overlapping = leftover.overlapping(),
-            .densest = leftover.densest()};
+            .rate = leftover.rate()};
   }
 
   const float* allowed_leftover(double dt, int refusals) {
@@ -137,6 +135,7 @@ struct Simulation::Impl {
       if (!result.accepted)
         continue;
       statistics.contacts += integrate(context, result.pressure_factor);
+      note_leftover();
       break;
     }
     time_step.accepted(dt);
@@ -180,10 +179,12 @@ struct Simulation::Impl {
     float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data();
     const float dt = s.time_step;
     const Motion motion =
-        executor.reduce<Motion>("integrate", particles.count, [=](std::uint32_t i) {
+        executor.reduce<Motion>("integrate", particles.count, [=, &s](std::uint32_t i) {
           const Vec3<float> free = drifted_x[i] + (dt * dt) * a[i];
           const Vec3<float> push = corrected[i] - free;
           const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
+          if (s.alone(i))  // if it was not alone before, it may be nearer; no velocity comes of it
+            corrected.set(i, s.contact.resolve_off_walls(corrected[i], s.rest_distance()));
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * new_pressure[i];
@@ -195,20 +196,19 @@ struct Simulation::Impl {
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
-    note_leftover(true);
     return motion.contacts + drift_contacts;
   }
 
-  void note_leftover(bool after_a_step) {
+  void note_leftover() {
     if (corrects_density())
-      leftover.note(executor, particles, after_a_step);
+      leftover.note(executor, particles);
   }
 
   /// Measures particles as they are given.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
-    note_leftover(false);
+    note_leftover();
   }
 
   /// The liquid as it is now.
@@ -248,7 +248,7 @@ struct Simulation::Impl {
     }
     time = end;
     measure(statistics);
-    note_leftover(false);
+    note_leftover();
     return statistics;
   }
 };

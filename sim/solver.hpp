@@ -22,10 +22,23 @@ struct StepContext {
   float time_step;  ///< Δt, s
   int refusals;     ///< how often this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
-  const float* excess;  ///< compression that a particle may keep in this step; null: none
+  const float* excess;  ///< compression that a particle may keep in this step; not for basic SPH
   float rate;           ///< part of the tolerance that a step as short as this may add
-  bool overlapping;  ///< the particles start far too dense; only what goes beyond `excess` counts
-  float densest;     ///< largest density ratio at the start of the step where that is far above 1
+  bool settling =
+      false;          ///< the particles start far too dense; only what goes beyond `excess` counts
+  float densest = 1;  ///< largest density ratio at the start of the step where that is far above 1
+
+  /// A particle with no others near it: the domain's walls stop it as far off as they are from
+  /// liquid at rest, where they alone do not make it too dense, and do not throw it back.
+  bool alone(std::uint32_t i) const { return neighbours.alone(i, particles.count); }
+  float rest_distance() const { return 0.5f * constants.spacing; }  ///< m
+
+  /// Where a drifted particle gets by a given move, m.
+  Vec3<float> moved(std::uint32_t i, const Vec3<float>& move) const {
+    const Vec3<float> p = particles.drifted_position.view()[i] + move;
+    return alone(i) ? contact.stop_off_walls(p, particles.position.view()[i], rest_distance())
+                    : contact.resolve(p);
+  }
 };
 
 struct StepResult {

@@ -45,7 +45,7 @@ class Wcsph : public PressureSolver {
       const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
                                                   pressure, s.neighbours, s.boundary);
       acceleration.set(i, a);
-      corrected.set(i, s.contact.resolve(drifted[i] + dt2 * a));
+      corrected.set(i, s.moved(i, dt2 * a));
     });
     return {};
   }

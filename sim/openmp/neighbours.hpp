@@ -21,6 +21,10 @@ struct NeighbourView {
   const std::uint32_t* const* first = nullptr;
   const std::uint32_t* batches = nullptr;
 
+  /// Whether particle i of `count` has no other of its own kind near it: after itself, the padding
+  /// begins.
+  bool alone(std::uint32_t i, std::uint32_t count) const { return first[i][1] == count; }
+
   /// Σⱼ f(j) over the neighbours j of particle i; f takes eight indices and returns Lanes or
   /// Vec3<Lanes>.
   template <class F>
