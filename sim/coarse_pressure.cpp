@@ -146,9 +146,9 @@ void CoarsePressure::attach_walls(const StepContext& s) {
   s.executor.for_each("coarse grid", solid.wet_count, [&](std::uint32_t k) {
     const std::uint32_t b = solid.wet[k];
     const Vec3<float> xb = solid.position[b];
-    const std::uint32_t* j = solid.fluid.first[b];
+    const std::uint32_t* j = solid.fluid.list(b);
     float best = INFINITY;
-    for (std::uint32_t left = solid.fluid.batches[b] * lane_count; left > 0; --left, ++j) {
+    for (std::uint32_t left = *j++ * lane_count; left > 0; --left, ++j) {
       const Vec3<float> d = xb - x[*j];
       if (dot(d, d) < best) {
         best = dot(d, d);

@@ -20,7 +20,7 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
                    n, radius);
   wet_.clear();
   for (std::uint32_t b = 0; b < boundary_.count(); ++b) {
-    if (wet_lists_.view().batches[b] > 0)
+    if (!wet_lists_.view().empty(b))
       wet_.push_back(b);
     else
       boundary_.pressures()[b] = boundary_.step_pressures()[b] = 0;

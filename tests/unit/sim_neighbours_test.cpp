@@ -51,7 +51,8 @@ Searched search(const Points& points, const Points& others, float radius, Points
   lists.build(map, grid, field.view(), n, other_grid, other_field.view(), m, radius);
   const NeighbourView view = lists.view();
   for (std::uint32_t i = 0; i < n; ++i) {
-    std::vector<std::uint32_t> list(view.first[i], view.first[i] + view.batches[i] * lane_count);
+    const std::uint32_t* first = view.list(i) + 1;
+    std::vector<std::uint32_t> list(first, first + *view.list(i) * lane_count);
     std::erase(list, m);
     result.lists.push_back(list);
   }
