@@ -98,6 +98,7 @@ Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
     place(i, samples[i]);
   }
   place_sentinel(position_, count_);
+  grid_.forget_order();
 
   const CubicKernel kernel(radius);
   measure_volumes(settings, samples, map, kernel, radius);

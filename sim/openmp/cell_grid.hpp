@@ -45,6 +45,10 @@ class CellGrid {
   void sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count);
 
   const std::vector<std::uint32_t>& order() const { return order_; }
+  /// Brings one number per point into the new order, once.
+  void permute(std::vector<std::uint32_t>& values);
+  /// Gives back the permutation's memory, where points stay as they are from now on.
+  void forget_order();
   std::size_t cell_count() const { return cell_keys_.size(); }
   std::uint64_t cell_key(std::size_t c) const { return cell_keys_[c]; }
   /// First point of cell c; c may be cell_count(), then it is the number of points.
@@ -54,10 +58,10 @@ class CellGrid {
   std::size_t memory_bytes() const;
 
  private:
-  void find_cells();
+  template <class KeyOf>
+  void find_cells(KeyOf key_of);
 
-  std::vector<std::uint64_t> keys_, scratch_keys_;
-  std::vector<std::uint32_t> order_, scratch_order_;
+  std::vector<std::uint32_t> order_, scratch_;
   std::vector<std::uint64_t> cell_keys_;
   std::vector<std::uint32_t> cell_begin_;
 };
