@@ -30,6 +30,23 @@ inline Lanes square_root(Lanes x) {
 #endif
 }
 
+inline float rounded_down(float x) {
+  return std::floor(x);
+}
+
+/// Of numbers that 32-bit integers can hold.
+inline Lanes rounded_down(Lanes x) {
+  const Lanes whole = __builtin_convertvector(__builtin_convertvector(x, IndexLanes), Lanes);
+  return whole > x ? whole - 1.f : whole;
+}
+
+/// Eight elements of an array that follow each other.
+inline Lanes consecutive(const float* a) {
+  Lanes v;
+  __builtin_memcpy(&v, a, sizeof v);
+  return v;
+}
+
 /// The elements `j` of an array.
 inline float load(const float* a, std::uint32_t j) {
   return a[j];

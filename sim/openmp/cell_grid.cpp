@@ -53,16 +53,6 @@ void radix_pass(std::uint32_t n, PointAt point_at, KeyOf key_of, int shift,
   }
 }
 
-/// More memory only where it is needed, and then not twice as much, as vectors take.
-template <class T>
-void grow(std::vector<T>& values, std::size_t size) {
-  if (size > values.capacity()) {
-    values.clear();
-    values.reserve(size + size / 8);
-  }
-  values.resize(size);
-}
-
 }  // namespace
 
 GridMap GridMap::over(Vec3<float> min, Vec3<float> max, float cell) {
@@ -88,9 +78,11 @@ void CellGrid::sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t 
   scratch_.resize(count);
   const auto key_of = [&](std::uint32_t point) { return map.key(points[point]); };
   const int bits = static_cast<int>(std::bit_width(map.key_count()));
-  radix_pass(count, [](std::uint32_t k) { return k; }, key_of, 0, order_);
+  radix_pass(
+      count, [](std::uint32_t k) { return k; }, key_of, 0, order_);
   for (int shift = digit_bits; shift < bits; shift += digit_bits) {
-    radix_pass(count, [&](std::uint32_t k) { return order_[k]; }, key_of, shift, scratch_);
+    radix_pass(
+        count, [&](std::uint32_t k) { return order_[k]; }, key_of, shift, scratch_);
     order_.swap(scratch_);
   }
   find_cells(key_of);
@@ -160,15 +152,14 @@ std::size_t CellGrid::memory_bytes() const {
          (order_.capacity() + scratch_.capacity() + cell_begin_.capacity()) * 4;
 }
 
-const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
+const std::array<RowCursors::Cells, 9>& RowCursors::cells_around(std::uint64_t key) {
   const std::size_t n = grid_.cell_count();
   std::size_t row = 0;
   for (std::int64_t dz = -1; dz <= 1; ++dz) {
     for (std::int64_t dy = -1; dy <= 1; ++dy, ++row) {
-      const auto low = static_cast<std::uint64_t>(static_cast<std::int64_t>(key) +
-                                                  map_.nx * (dy + map_.ny * dz) - 1);
-      std::size_t& first = first_[row];
-      std::size_t& last = last_[row];
+      auto& [low, first, last] = cells_[row];
+      low = static_cast<std::uint64_t>(static_cast<std::int64_t>(key) +
+                                       map_.nx * (dy + map_.ny * dz) - 1);
       if (!started_)
         first = last = grid_.first_cell_from(low);
       while (first < n && grid_.cell_key(first) < low)
@@ -176,10 +167,16 @@ const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
       last = std::max(first, last);
       while (last < n && grid_.cell_key(last) <= low + 2)
         ++last;
-      runs_[row] = {grid_.cell_begin(first), grid_.cell_begin(last)};
     }
   }
   started_ = true;
+  return cells_;
+}
+
+const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
+  cells_around(key);
+  for (std::size_t row = 0; row < runs_.size(); ++row)
+    runs_[row] = {grid_.cell_begin(cells_[row].first), grid_.cell_begin(cells_[row].last)};
   return runs_;
 }
 

@@ -37,6 +37,17 @@ struct GridMap {
   }
 };
 
+/// Makes room for so many values; what they were is lost. Takes memory only where there is too
+/// little, and then not twice as much, as vectors do.
+template <class T>
+void grow(std::vector<T>& values, std::size_t size) {
+  if (size > values.capacity()) {
+    values = {};
+    values.reserve(size + size / 8);
+  }
+  values.resize(size);
+}
+
 /// The occupied cells of a sorted set of points.
 class CellGrid {
  public:
@@ -73,6 +84,13 @@ class RowCursors {
  public:
   RowCursors(const GridMap& map, const CellGrid& grid) : map_(map), grid_(grid) {}
 
+  /// The occupied cells of a row: keys from `low` to low + 2, indices from first to last − 1.
+  struct Cells {
+    std::uint64_t low;
+    std::size_t first, last;
+  };
+  const std::array<Cells, 9>& cells_around(std::uint64_t key);
+
   struct Run {
     std::uint32_t begin, end;
   };
@@ -81,7 +99,7 @@ class RowCursors {
  private:
   const GridMap& map_;
   const CellGrid& grid_;
-  std::array<std::size_t, 9> first_{}, last_{};
+  std::array<Cells, 9> cells_{};
   std::array<Run, 9> runs_{};
   bool started_ = false;
 };

@@ -157,8 +157,8 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Vec3A
             continue;
           }
           std::uint32_t* const room = writer.room(candidates + 2 * lane_count + 1);
-          place_[i] = writer.keep(
-              list_of(points[i], runs, others, other_count, radius * radius, room));
+          place_[i] =
+              writer.keep(list_of(points[i], runs, others, other_count, radius * radius, room));
         }
       }
     }
@@ -171,8 +171,7 @@ std::size_t NeighbourLists::memory_bytes() const {
   std::size_t numbers = place_.capacity() + chunks_.size() * NeighbourView::chunk_size;
   for (const auto& list : large_)
     numbers += list.capacity();
-  return numbers * sizeof(std::uint32_t) +
-         (table_.capacity() + chunks_.capacity()) * sizeof(void*);
+  return numbers * sizeof(std::uint32_t) + (table_.capacity() + chunks_.capacity()) * sizeof(void*);
 }
 
 }  // namespace spindrift::sim
