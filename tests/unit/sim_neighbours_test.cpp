@@ -102,6 +102,11 @@ TEST_CASE("a crowd in one cell loses no neighbour") {
   check_against_brute_force(points, points, 0.1f);
 }
 
+TEST_CASE("a list may be longer than the pieces of memory that lists are kept in") {
+  const Points crowd = random_points(static_cast<int>(2 * NeighbourView::chunk_size), 0.01f, 8);
+  check_against_brute_force({{0, 0, 0}, {0.001f, 0, 0}, {0.5f, 0, 0}}, crowd, 0.1f);
+}
+
 TEST_CASE("points in far corners and one alone have the right neighbours") {
   Points points = random_points(50, 0.02f, 5);
   for (auto& p : points)
