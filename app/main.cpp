@@ -1,3 +1,4 @@
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,6 +16,9 @@ namespace {
 /// runs itself once more, unless the user has said how to wait.
 void wait_for_threads_shortly(char** argv) {
   if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr)
+    return;
+  // The dynamic linker, run as a program of its own, is what /proc would name; it has no linker.
+  if (::getauxval(AT_BASE) == 0)
     return;
   ::setenv("GOMP_SPINCOUNT", "2000", 1);
   std::array<char, PATH_MAX> program{};
