@@ -36,7 +36,7 @@ void check_same(const Frame& a, const Frame& b) {
 
 }  // namespace
 
-TEST_CASE("particles are the same bytes for one, two and four threads", "[slow]") {
+TEST_CASE("particles are the same bytes for one, two and four threads") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const int threads_before = omp_get_max_threads();
   std::vector<Frame> frames;
