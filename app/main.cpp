@@ -9,10 +9,10 @@
 
 namespace {
 
-/// Threads that wait for others at the end of a loop spin for 15 ms before they sleep
+/// Threads that wait for others at the end of a loop spin for milliseconds before they sleep
 /// (GOMP_SPINCOUNT in the manual of libgomp). Where another program holds a core, what they wait
-/// for cannot run meanwhile, and every loop takes that long. A tenth of a millisecond bridges the
-/// time between two loops as well. libgomp reads its environment when it is loaded, before main():
+/// for cannot run meanwhile, and every loop takes that long. Some 30 µs bridge the time between
+/// two loops as well. libgomp reads its environment when it is loaded, before main():
 /// so the program runs itself once more, unless the user has said how to wait.
 void wait_for_threads_shortly(char** argv) {
   if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr)
