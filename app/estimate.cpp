@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 // Measured on ordinary scenes; rough by nature.
-constexpr double bytes_per_particle = 650.;  // its fields and its neighbour list
+constexpr double bytes_per_particle = 450.;  // its fields and its neighbour list
 constexpr double bytes_per_boundary_particle = 60.;
 constexpr double bytes_per_pixel = 80.;              // 4 samples of colour and depth, two copies
 constexpr double seconds_per_particle_step = 3e-6;   // of one thread

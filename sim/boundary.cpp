@@ -38,25 +38,41 @@ float flat_liquid_share(const CubicKernel& kernel, float spacing, float radius) 
   return static_cast<float>(sum / lattice_kernel_sum(kernel, spacing, radius));
 }
 
-/// ∫ W over the part of a sample's support for which `free` holds, by the midpoint rule on a fine
-/// lattice.
-template <class Free>
-double free_part(const CubicKernel& kernel, float radius, Free free) {
-  constexpr int cells_across = 16;
-  const float h = 2 * radius / cells_across;
-  double sum = 0;
-  for (int k = 0; k < cells_across; ++k)
-    for (int j = 0; j < cells_across; ++j)
-      for (int i = 0; i < cells_across; ++i) {
-        const Vec3<float> p{(static_cast<float>(i) + 0.5f) * h - radius,
-                            (static_cast<float>(j) + 0.5f) * h - radius,
-                            (static_cast<float>(k) + 0.5f) * h - radius};
-        const float r = square_root(dot(p, p));
-        if (r < radius && free(p))
-          sum += kernel.value(r);
-      }
-  return sum * h * h * h;
-}
+/// A kernel's values on a fine lattice over its support, which are the same around every sample.
+class SupportLattice {
+ public:
+  SupportLattice(const CubicKernel& kernel, float radius) : cell_(2 * radius / cells_across) {
+    for (int k = 0; k < cells_across; ++k)
+      for (int j = 0; j < cells_across; ++j)
+        for (int i = 0; i < cells_across; ++i) {
+          const Vec3<float> p{(static_cast<float>(i) + 0.5f) * cell_ - radius,
+                              (static_cast<float>(j) + 0.5f) * cell_ - radius,
+                              (static_cast<float>(k) + 0.5f) * cell_ - radius};
+          const float r = square_root(dot(p, p));
+          if (r < radius)
+            points_.push_back({p, kernel.value(r)});
+        }
+  }
+
+  /// ∫ W over the part of the support for which `free` holds, by the midpoint rule.
+  template <class Free>
+  double free_part(Free free) const {
+    double sum = 0;
+    for (const Point& point : points_)
+      if (free(point.place))
+        sum += point.value;
+    return sum * cell_ * cell_ * cell_;
+  }
+
+ private:
+  static constexpr int cells_across = 16;
+  struct Point {
+    Vec3<float> place;  ///< from the sample, m
+    float value;        ///< 1/m³
+  };
+  float cell_;  ///< m
+  std::vector<Point> points_;
+};
 
 void place_sentinel(VectorField& field, std::uint32_t n) {
   field.view().set(n, {sentinel_position, sentinel_position, sentinel_position});
@@ -98,6 +114,7 @@ Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
     place(i, samples[i]);
   }
   place_sentinel(position_, count_);
+  grid_.forget_order();
 
   const CubicKernel kernel(radius);
   measure_volumes(settings, samples, map, kernel, radius);
@@ -167,8 +184,8 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
 void Boundary::measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
                               const CubicKernel& kernel, float radius) {
   const float spacing = settings.fluid.spacing;
-  const double flat =
-      free_part(kernel, radius, [&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
+  const SupportLattice support(kernel, radius);
+  const double flat = support.free_part([&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
   const double volume = 1 / lattice_kernel_sum(kernel, spacing, radius);
   const float share = flat_liquid_share(kernel, spacing, radius);
   const ContactView contact{{settings.domain.min.x, settings.domain.min.y, settings.domain.min.z},
@@ -187,7 +204,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
               glm::dot(sample.normal, glm::vec3(p.x, p.y, p.z)) > 0) &&
              contact.is_open(xi + p);
     };
-    const double open = free_part(kernel, radius, is_open);
+    const double open = support.free_part(is_open);
     double lattice = 0;
     for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
       if (is_open(p))
@@ -196,9 +213,8 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
     // Liquid lies as a lattice along the walls of the domain, in edges and corners too.
     const bool at_bare_wall =
         sample.side == SurfaceSample::Side::domain &&
-        (settings.obstacles.empty() || open == free_part(kernel, radius, [&](const Vec3<float>& p) {
-                                         return walls.is_open(xi + p);
-                                       }));
+        (settings.obstacles.empty() ||
+         open == support.free_part([&](const Vec3<float>& p) { return walls.is_open(xi + p); }));
     const double liquid =
         at_bare_wall ? volume * lattice : std::max(share * open / flat, volume * lattice);
     solid_[i] = 1 - static_cast<float>(liquid);

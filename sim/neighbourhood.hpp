@@ -41,8 +41,6 @@ class Neighbourhood {
   NeighbourLists fluid_, boundary_lists_;
   NeighbourLists wet_lists_;        ///< of each boundary sample: fluid particles
   std::vector<std::uint32_t> wet_;  ///< boundary samples with fluid neighbours
-  ScalarField scratch_;
-  std::vector<std::uint32_t> scratch_ids_;
 };
 
 }  // namespace spindrift::sim

@@ -19,7 +19,13 @@ inline Vec3<float> from_glm(glm::vec3 v) {
 /// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
 class ScalarField {
  public:
-  void resize(std::uint32_t n) { values_.resize(n + 2 * lane_count, 0.f); }
+  void resize(std::uint32_t n) {
+    const std::size_t size = n + std::size_t{2 * lane_count};
+    // A vector would take twice the memory as soon as it grows a little.
+    if (!values_.empty() && size > values_.capacity())
+      values_.reserve(size + size / 16);
+    values_.resize(size, 0.f);
+  }
   float* data() { return values_.data(); }
   const float* data() const { return values_.data(); }
   /// The data of n elements; those that were there keep their values.

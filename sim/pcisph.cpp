@@ -183,14 +183,14 @@ class Pcisph : public PressureSolver {
   void correct_everywhere(const StepContext& s, float delta) {
     coarse_.build(s, delta);
     coarse_.solve(s, [&](std::uint32_t k) { return acceleration_.residual(k); });
-    const Vec3Arrays x = s.particles.drifted_position.view();
     float* p = s.particles.step_pressure.data();
     const float part = relaxation * delta;
-    s.executor.for_each(
-        "correct pressure", static_cast<std::uint32_t>(s.grid->cell_count()), [&](std::uint32_t c) {
-          for (std::uint32_t i = s.grid->cell_begin(c); i < s.grid->cell_begin(c + 1); ++i)
-            p[i] = std::max(0.f, p[i] + part * compression_of(s, i) + coarse_.at(x[i], c));
-        });
+    s.executor.for_each("correct pressure", static_cast<std::uint32_t>(s.grid->cell_count()),
+                        [&](std::uint32_t c) {
+                          coarse_.at_particles(s, c, [&](std::uint32_t i, float everywhere) {
+                            p[i] = std::max(0.f, p[i] + part * compression_of(s, i) + everywhere);
+                          });
+                        });
     s.executor.for_each("correct pressure", s.boundary.wet_count, [&](std::uint32_t k) {
       float& pb = s.boundary.step_pressure[s.boundary.wet[k]];
       pb = std::max(0.f, pb + part * wet_compression_[k] + coarse_.at_wall(s, k));

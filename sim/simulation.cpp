@@ -297,12 +297,15 @@ Frame Simulation::frame() const {
   Boundary& boundary = impl_->boundary;
   frame.boundary_pressures.assign(boundary.pressures().data(),
                                   boundary.pressures().data() + boundary.count());
+  frame.positions.reserve(p.count);
+  frame.velocities.reserve(p.count);
+  frame.densities.reserve(p.count);
   for (std::uint32_t i = 0; i < p.count; ++i) {
     frame.positions.push_back(p.position.at(i));
     frame.velocities.push_back(p.velocity.at(i));
     frame.densities.push_back(p.density_ratio[i] * impl_->constants.rest_density);
-    frame.pressures.push_back(p.pressure[i]);
   }
+  frame.pressures.assign(p.pressure.data(), p.pressure.data() + p.count);
   return frame;
 }
 
