@@ -34,6 +34,8 @@ class Boundary {
   /// the one that was given as grid().order()[k].
   void replace(const std::vector<Sample>& samples, const GridMap& map);
 
+  void scale_volume(std::uint32_t b, float factor) { volume_[b] *= factor; }
+
   std::uint32_t count() const { return count_; }
   const CellGrid& grid() const { return grid_; }
   Vec3Arrays positions() { return position_.view(); }

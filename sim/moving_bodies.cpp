@@ -134,6 +134,47 @@ void MovingBodies::place(Executor& executor, double start, double end) {
   placed_.clear();
   for (const std::uint32_t k : boundary_.grid().order())
     placed_.push_back(open[k]);
+  share_places();
+}
+
+/// False where no solid that moves relative to the sample's own can have samples within a spacing.
+bool MovingBodies::may_meet_another(std::size_t sample, const Vec3<float>& p) const {
+  const float reach = 1.5f * settings_.fluid.spacing;
+  const auto near = [reach](const Box& box, const Vec3<float>& q) {
+    return q.x > box.min.x - reach && q.y > box.min.y - reach && q.z > box.min.z - reach &&
+           q.x < box.max.x + reach && q.y < box.max.y + reach && q.z < box.max.z + reach;
+  };
+  for (std::size_t k = 0; k < bodies_.size(); ++k)
+    if (static_cast<int>(k) != owners_[sample] && near(bodies_[k].bounds, bodies_[k].pose.back(p)))
+      return true;
+  if (owners_[sample] == fixed)
+    return false;
+  if (beyond(settings_.domain, p) > -reach)
+    return true;
+  for (const Obstacle& obstacle : settings_.obstacles)
+    if (!obstacle.motion && near(bounds_of(obstacle.shape), p))
+      return true;
+  return false;
+}
+
+void MovingBodies::share_places() {
+  const CellGrid& grid = boundary_.grid();
+  const Vec3Arrays x = boundary_.positions();
+  const float spacing = settings_.fluid.spacing;
+  RowCursors cursors(map_, grid);
+  for (std::uint32_t k = 0; k < placed_.size(); ++k) {
+    const Vec3<float> xk = x[k];
+    if (!may_meet_another(placed_[k], xk))
+      continue;
+    float sharing = 0;
+    for (const RowCursors::Run& run : cursors.around(map_.key(xk)))
+      for (std::uint32_t j = run.begin; j < run.end; ++j) {
+        const Vec3<float> away = x[j] - xk;
+        if (owners_[placed_[j]] != owners_[placed_[k]])
+          sharing += std::max(0.f, 1 - square_root(dot(away, away)) / spacing);
+      }
+    boundary_.scale_volume(k, 1 / (1 + sharing));
+  }
 }
 
 double MovingBodies::step_within(double distance, double time, double longest) const {

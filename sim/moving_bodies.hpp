@@ -5,7 +5,8 @@
 // two solids overlap, as a piston and the walls it runs along, each would add its own layer of
 // samples, and the liquid would be too dense there; so a sample that lies deeper in another solid
 // than that one's own layer, half a spacing, is left out. Of two layers at the same place, that of
-// the body which moves stays, and of two such the later one's.
+// the body which moves stays, and of two such the later one's. Where two layers meet at an angle,
+// samples of both that are closer than a spacing share the place: V_b / (1 + Σ max(0, 1 − r/d)).
 #pragma once
 
 #include <vector>
@@ -43,6 +44,8 @@ class MovingBodies {
   static constexpr int fixed = -1;
   void add(const Obstacle& obstacle, int body);
   bool is_covered(const Vec3<float>& p, int owner) const;
+  bool may_meet_another(std::size_t sample, const Vec3<float>& p) const;
+  void share_places();
   void keep_pressures();
 
   Settings settings_;
