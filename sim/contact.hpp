@@ -57,9 +57,9 @@ inline Vec3<float> ContactView::velocity_behind(const Vec3<float>& p,
                                                 const Vec3<float>& push) const {
   const float length = square_root(dot(push, push));
   for (const PosedBody& body : bodies) {
-    const Vec3<float> q = body.pose.back(p - (0.01f * body.spacing / length) * push);
-    if (contains(*body.shape, q))
-      return body.velocity(q);
+    const Vec3<float> behind = p - (0.01f * body.spacing / length) * push;
+    if (body.holds(behind, {min, max}))
+      return body.velocity(body.pose.back(behind));
   }
   return {0, 0, 0};
 }

@@ -52,40 +52,48 @@ float half_thickness(const Shape& shape, float spacing) {
   return 0.25f * spacing;
 }
 
+/// Particles this near to a wall, in spacings, count as in a body that lies flush against it.
+constexpr float nudge = 1e-3f;
+
+/// Moves one coordinate of a point off the wall that it is pushed into, if it is.
+void lift_off(float push, float out, float low, float high, float lift, float& coordinate) {
+  const float margin = nudge * lift;
+  if (push < 0 && out < low + margin)
+    coordinate = low + lift;
+  if (push > 0 && out > high - margin)
+    coordinate = high - lift;
+}
+
 }  // namespace
 
+Vec3<float> Inside::nudged(const Vec3<float>& p, float distance) const {
+  return {std::clamp(p.x, min.x + distance, max.x - distance),
+          std::clamp(p.y, min.y + distance, max.y - distance),
+          std::clamp(p.z, min.z + distance, max.z - distance)};
+}
+
 Vec3<float> PosedBody::hold(const Vec3<float>& p, const Inside& domain) const {
-  // A particle on a wall counts as in a body that lies flush against that wall.
-  const float nudge = 1e-3f * spacing;
-  const auto within = [](float v, float low, float high) { return std::clamp(v, low, high); };
-  const Vec3<float> inner{within(p.x, domain.min.x + nudge, domain.max.x - nudge),
-                          within(p.y, domain.min.y + nudge, domain.max.y - nudge),
-                          within(p.z, domain.min.z + nudge, domain.max.z - nudge)};
+  const Vec3<float> inner = domain.nudged(p, nudge * spacing);
   const Vec3<float> q = pose.back(inner);
   if (!overlap(q, q, bounds, 0))
     return p;
-  const Vec3<float> push = shortest_push(*this, inner);
-  if (is_zero(push))
+  const Vec3<float> shortest = shortest_push(*this, inner);
+  if (is_zero(shortest))
     return p;
-  const Vec3<float> out = inner + push;
+  // Where the way out leads into a wall, the particle takes that of a point farther off that wall.
   for (float lift = spacing; lift > 0.2f * spacing; lift *= 0.5f) {
-    Vec3<float> lifted = inner;
-    const auto lift_off = [&](float towards, float at, float low, float high, float& coordinate) {
-      if (towards < 0 && at < low + nudge)
-        coordinate = low + lift;
-      if (towards > 0 && at > high - nudge)
-        coordinate = high - lift;
-    };
-    lift_off(push.x, out.x, domain.min.x, domain.max.x, lifted.x);
-    lift_off(push.y, out.y, domain.min.y, domain.max.y, lifted.y);
-    lift_off(push.z, out.z, domain.min.z, domain.max.z, lifted.z);
-    if (is_zero(lifted - inner))
-      return out;
-    const Vec3<float> aside = shortest_push(*this, lifted);
-    if (dot(aside, push) <= 0 && !is_zero(aside))
-      return p + aside;
+    Vec3<float> lifted = inner, push = shortest;
+    for (int walls = 0; walls <= 3 && !is_zero(push); ++walls) {
+      const Vec3<float> out = lifted + push, before = lifted;
+      lift_off(push.x, out.x, domain.min.x, domain.max.x, lift, lifted.x);
+      lift_off(push.y, out.y, domain.min.y, domain.max.y, lift, lifted.y);
+      lift_off(push.z, out.z, domain.min.z, domain.max.z, lift, lifted.z);
+      if (is_zero(lifted - before))
+        return walls == 0 ? out : p + push;
+      push = shortest_push(*this, lifted);
+    }
   }
-  return out;
+  return inner + shortest;
 }
 
 Vec3<float> PosedBody::sweep(const Vec3<float>& from, const Vec3<float>& p,
@@ -112,6 +120,10 @@ Vec3<float> PosedBody::sweep(const Vec3<float>& from, const Vec3<float>& p,
     q = pose.back(out);
   }
   return held ? pose(q) : p;
+}
+
+bool PosedBody::holds(const Vec3<float>& p, const Inside& domain) const {
+  return !is_zero(shortest_push(*this, domain.nudged(p, nudge * spacing)));
 }
 
 float PosedBody::depth(const Vec3<float>& p) const {

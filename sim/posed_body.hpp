@@ -27,6 +27,9 @@ struct Affine {
 /// Inner faces of the domain, m.
 struct Inside {
   Vec3<float> min, max;
+
+  /// The nearest point at least a distance (m) away from every face.
+  Vec3<float> nudged(const Vec3<float>& p, float distance) const;
 };
 
 struct PosedBody {
@@ -45,6 +48,9 @@ struct PosedBody {
   /// The same for a particle that comes from `from`: it does not pass the body, however fast both
   /// are. In the body's frame it goes a straight way, in short pieces.
   Vec3<float> sweep(const Vec3<float>& from, const Vec3<float>& p, const Inside& domain) const;
+
+  /// Whether a point, or, for one on a wall, a point just off it, is in the body at its end.
+  bool holds(const Vec3<float>& p, const Inside& domain) const;
 
   /// How deep below the surface a point is, m; 0 outside.
   float depth(const Vec3<float>& p) const;
