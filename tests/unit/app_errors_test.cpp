@@ -96,7 +96,7 @@ const std::vector<Case> wrong_together{
      {"obstacles[0].capsule", "\"radius\" is missing"}},
     {R"({"obstacles": [{"capsul": {}}]})", {"obstacles[0].capsul", "did you mean \"capsule\""}},
     {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {}}]})",
-     {"bad.json:1:61: obstacles[0].motion: says nothing", "keyframes, oscillations or spin"}},
+     {"bad.json:1:58: obstacles[0].motion: says nothing", "keyframes, oscillations or spin"}},
     {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {"keyframes": [
          {"time": 1}, {"time": 0.5, "translate": [1,0,0]}]}}]})",
      {"bad.json:2:24: obstacles[0].motion.keyframes[1].time: 0.5 s is not after", "(1 s)"}},
