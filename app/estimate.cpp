@@ -7,6 +7,7 @@
 
 #include "app/closed_surface.hpp"
 #include "sim/initial.hpp"
+#include "sim/motion.hpp"
 #include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 
@@ -30,6 +31,9 @@ double likely_speed(const sim::Settings& settings) {
   double start = 0.;
   for (const sim::Volume& volume : settings.fluid.volumes) {
     start = std::max(start, static_cast<double>(glm::length(volume.velocity)));
+  }
+  for (const sim::Obstacle& obstacle : settings.obstacles) {
+    start = std::max(start, static_cast<double>(sim::fastest_speed(obstacle)));
   }
   return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
 }

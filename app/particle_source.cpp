@@ -19,6 +19,7 @@ void append(sim::FrameStatistics& whole, const sim::FrameStatistics& part) {
   sum.rejected_steps += whole.rejected_steps;
   sum.iterations += whole.iterations;
   sum.contacts += whole.contacts;
+  sum.wall_work += whole.wall_work;
   sum.max_time_step = std::max(whole.max_time_step, part.max_time_step);
   if (whole.steps > 0 && (part.steps == 0 || whole.min_time_step < part.min_time_step))
     sum.min_time_step = whole.min_time_step;

@@ -91,11 +91,16 @@ class DrawingStage {
         drawing_(record.stage_seconds["draw"]),
         writing_(record.stage_seconds["export"]),
         renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
-                  gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}) {
+                  gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}),
+        obstacles_(scene.simulation.obstacles) {
     record.gl_renderer = renderer_.info().renderer;
     record.gl_version = renderer_.info().version;
-    if (!scene.simulation.obstacles.empty())
-      renderer_.set_obstacles(tessellate(scene.simulation.obstacles));
+    std::vector<double> times;  // of all pictures, whichever are wanted now
+    for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)
+      times.push_back(static_cast<double>(k) / scene.video.frames_per_second);
+    reach_ = obstacles_.reach(times);
+    if (!obstacles_.empty())
+      renderer_.set_obstacles(obstacles_.at(0), reach_);
   }
 
   Image draw(const NumberedParticles& particles) {
@@ -112,6 +117,8 @@ class DrawingStage {
     }
     export_geometry(particles, mesh);
     const StageTimer timer(drawing_);
+    if (obstacles_.move())
+      renderer_.set_obstacles(obstacles_.at(particles.frame.time), reach_);
     if (as_mesh)
       return renderer_.draw(mesh, view);
     const std::vector<float> attribute = attribute_of(particles.frame, scene_.look.color_by);
@@ -137,6 +144,8 @@ class DrawingStage {
   const RenderOptions& options_;
   double &meshing_, &drawing_, &writing_;
   gl::Renderer renderer_;
+  ObstacleMeshes obstacles_;
+  std::vector<glm::vec3> reach_;  ///< corners of the space that moving obstacles pass through
 };
 
 /// Pictures to files.

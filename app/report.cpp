@@ -8,6 +8,7 @@
 
 #include "app/progress.hpp"
 #include "render/output/output.hpp"
+#include "sim/motion.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -28,7 +29,8 @@ std::int64_t total(const std::vector<sim::FrameStatistics>& frames, auto figure)
   return sum;
 }
 
-nlohmann::ordered_json frames_json(const RunRecord& record) {
+nlohmann::ordered_json frames_json(const Scene& scene, const RunRecord& record) {
+  const bool moves = sim::any_moves(scene.simulation.obstacles);
   auto frames = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < record.frames.size(); ++k) {
     const sim::FrameStatistics& f = record.frames[k];
@@ -45,6 +47,8 @@ nlohmann::ordered_json frames_json(const RunRecord& record) {
                       {"kinetic_energy", f.kinetic_energy},
                       {"potential_energy", f.potential_energy},
                       {"contacts", f.contacts}});
+    if (moves)
+      frames.back()["wall_work"] = f.wall_work;
   }
   return frames;
 }
@@ -99,7 +103,7 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) 
   json["worst_max_compression"] = worst(record.frames, &sim::FrameStatistics::max_compression);
   if (!scene.probes.empty())
     json["probes"] = {{"table", "probes.csv"}, {"report", "probes.html"}};
-  json["frames"] = frames_json(record);
+  json["frames"] = frames_json(scene, record);
   json["scene"] = to_json(scene);
   return json;
 }

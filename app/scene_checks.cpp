@@ -99,7 +99,28 @@ class Checker {
   void check_obstacles() const {
     const auto& obstacles = scene_.simulation.obstacles;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      check_shape(obstacles[i].shape, child_path("obstacles", i));
+      const std::string path = child_path("obstacles", i);
+      check_shape(obstacles[i].shape, path);
+      if (obstacles[i].motion) {
+        check_motion(*obstacles[i].motion, child_path(path, "motion"));
+      }
+    }
+  }
+
+  void check_motion(const sim::Motion& motion, const std::string& path) const {
+    if (motion.keyframes.empty() && motion.oscillations.empty() && !motion.spin) {
+      fail(path, "says nothing of how the obstacle moves; give keyframes, oscillations or spin");
+    }
+    check_times(motion.keyframes, child_path(path, "keyframes"));
+    for (std::size_t i = 0; i < motion.oscillations.size(); ++i) {
+      const sim::Oscillation& one = motion.oscillations[i];
+      if (one.translate == glm::vec3(0.f) && one.rotate == glm::vec3(0.f)) {
+        fail(child_path(child_path(path, "oscillations"), i),
+             "has no amplitude; give translate (m) or rotate (degrees)");
+      }
+    }
+    if (motion.spin && !(glm::length(motion.spin->axis) > 1e-6f)) {
+      fail(child_path(child_path(path, "spin"), "axis"), "has no length");
     }
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -50,6 +51,12 @@ void for_each_field(F&& f) {
   std::apply([&](const auto&... field) { (f(field), ...); }, table<T>);
 }
 
+/// A value that may be left out; it is then left out of the resolved scene as well.
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
 /// Names of an enumeration's values, in the order of the values, which count from 0.
 template <class E>
 inline constexpr std::array<std::string_view, 0> value_names{};
@@ -57,6 +64,9 @@ template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::SolverType>{"pcisph", "sph"};
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::PressureKernel>{"cubic", "spiky"};
+template <>
+inline constexpr std::array<std::string_view, 2> value_names<sim::Interpolation>{"smooth",
+                                                                                 "linear"};
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<gl::Style>{"mesh", "particles"};
 template <>
@@ -94,6 +104,7 @@ inline constexpr Range times{0., 1e5};      // s
 inline constexpr Range directions{-1e6, 1e6};
 inline constexpr Range colors{0., 1.};
 inline constexpr Range accelerations{-1e4, 1e4};  // m/s²
+inline constexpr Range turns{-1e6, 1e6};          // degrees
 
 template <>
 inline constexpr auto table<sim::Box> =
@@ -162,7 +173,55 @@ inline constexpr auto table<sim::DomainSettings> =
                Field{"max", &sim::DomainSettings::max, "highest corner, inner faces", places, "m"}};
 
 template <>
-inline constexpr auto table<sim::Obstacle> = std::tuple{Field{"", &sim::Obstacle::shape}};
+inline constexpr auto table<sim::MotionKey> = std::tuple{
+    Field{"time", &sim::MotionKey::time, "time of the key", times, "s", Presence::required},
+    Field{"translate", &sim::MotionKey::translate, "how far the body is then from where it was put",
+          places, "m"},
+    Field{"rotate", &sim::MotionKey::rotate,
+          "angles about the x, then the y, then the z axis, through the pivot", turns, "degrees"}};
+
+template <>
+inline constexpr auto table<sim::Oscillation> = std::tuple{
+    Field{"translate", &sim::Oscillation::translate, "amplitude of the translation", places, "m"},
+    Field{"rotate", &sim::Oscillation::rotate,
+          "amplitudes of the angles about the x, y and z axes through the pivot", turns, "degrees"},
+    Field{"frequency", &sim::Oscillation::frequency, "swings per second", Range{0., 1e3}, "Hz",
+          Presence::required},
+    Field{"phase", &sim::Oscillation::phase,
+          "at time 0, where 0 is the middle of the swing and 90 its end, at rest", turns,
+          "degrees"}};
+
+template <>
+inline constexpr auto table<sim::Spin> =
+    std::tuple{Field{"axis",
+                     &sim::Spin::axis,
+                     "direction of the axis, which goes through the pivot",
+                     directions,
+                     {},
+                     Presence::required},
+               Field{"frequency", &sim::Spin::frequency,
+                     "turns per second, counter-clockwise seen from the axis' tip",
+                     Range{-1e3, 1e3}, "1/s", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Motion> = std::tuple{
+    Field{"pivot", &sim::Motion::pivot,
+          "point that rotations are about, in the place where the body was put", places, "m"},
+    Field{
+        "keyframes", &sim::Motion::keyframes,
+        "the body's way, in the order of the times; it rests before the first and after the last"},
+    Field{"interpolation", &sim::Motion::interpolation,
+          "between keys: smooth, from rest to rest, or linear, with steady speeds"},
+    Field{"oscillations", &sim::Motion::oscillations, "swings to and fro, added to the keyframes"},
+    Field{"spin", &sim::Motion::spin, "a steady turn; none if left out"}};
+
+template <>
+inline constexpr auto table<sim::Obstacle> = std::tuple{
+    Field{"", &sim::Obstacle::shape},
+    Field{"wall_viscosity", &sim::Obstacle::wall_viscosity,
+          "with which this obstacle holds the liquid back; fluid.wall_viscosity if left out",
+          Range{0., 1e4}, "Pa·s"},
+    Field{"motion", &sim::Obstacle::motion, "how the obstacle moves; fixed if left out"}};
 
 template <>
 inline constexpr auto table<sim::AccelerationKey> = std::tuple{
@@ -207,12 +266,12 @@ inline constexpr auto table<sim::SolverSettings> = std::tuple{
           "a step that would have to be shorter ends the run", Range{1e-12, 10.}, "s"}};
 
 template <>
-inline constexpr auto table<sim::Settings> =
-    std::tuple{Field{"fluid", &sim::Settings::fluid, "the liquid and where it starts"},
-               Field{"domain", &sim::Settings::domain, "the closed box that holds the liquid"},
-               Field{"obstacles", &sim::Settings::obstacles, "solid, fixed bodies"},
-               Field{"forces", &sim::Settings::forces, "what moves the liquid"},
-               Field{"solver", &sim::Settings::solver, "how the motion is computed"}};
+inline constexpr auto table<sim::Settings> = std::tuple{
+    Field{"fluid", &sim::Settings::fluid, "the liquid and where it starts"},
+    Field{"domain", &sim::Settings::domain, "the closed box that holds the liquid"},
+    Field{"obstacles", &sim::Settings::obstacles, "solid bodies, fixed or moving on a script"},
+    Field{"forces", &sim::Settings::forces, "what moves the liquid"},
+    Field{"solver", &sim::Settings::solver, "how the motion is computed"}};
 
 template <>
 inline constexpr auto table<surface::SurfaceSettings> = std::tuple{

@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -177,6 +178,12 @@ class SceneReader {
       into.emplace_back();
       read(json[i], child_path(path, i), into.back(), {});
     }
+  }
+
+  template <class T>
+  void read(const Json& json, const std::string& path, std::optional<T>& into,
+            const Bounds& bounds) {
+    read(json, path, into.emplace(), bounds);
   }
 
   void read(const Json& json, const std::string& path, std::string& into, const Bounds&) {

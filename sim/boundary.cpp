@@ -86,7 +86,9 @@ std::vector<SurfaceSample> sample_all(const Settings& settings) {
   for (const glm::vec3 p : sample_walls(settings.domain, spacing))
     samples.push_back({p, SurfaceSample::Side::domain});
   for (const Obstacle& obstacle : settings.obstacles) {
-    const auto more = sample_surface(obstacle.shape, spacing);
+    auto more = sample_surface(obstacle.shape, spacing);
+    for (SurfaceSample& sample : more)
+      sample.wall_viscosity = obstacle.wall_viscosity;
     samples.insert(samples.end(), more.begin(), more.end());
   }
   const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
@@ -98,8 +100,11 @@ std::vector<SurfaceSample> sample_all(const Settings& settings) {
 
 }  // namespace
 
-Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
-  const std::vector<SurfaceSample> unsorted = sample_all(settings);
+Boundary::Boundary(const Settings& settings, const GridMap& map, float radius)
+    : Boundary(settings, sample_all(settings), map, radius) {}
+
+Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& unsorted,
+                   const GridMap& map, float radius) {
   count_ = static_cast<std::uint32_t>(unsorted.size());
   position_.resize(count_);
   const auto place = [&](std::uint32_t i, const SurfaceSample& s) {
@@ -121,6 +126,44 @@ Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
   measure_solids(settings, samples, kernel, radius);
   pressure_.resize(count_);
   step_pressure_.resize(count_);
+  const auto has_its_own = [](const SurfaceSample& s) { return s.wall_viscosity.has_value(); };
+  if (std::any_of(samples.begin(), samples.end(), has_its_own)) {
+    wall_viscosity_.resize(count_);
+    for (std::uint32_t i = 0; i < count_; ++i)
+      wall_viscosity_[i] = samples[i].wall_viscosity.value_or(settings.fluid.wall_viscosity);
+  }
+}
+
+Boundary::Sample Boundary::sample(std::uint32_t b) const {
+  const glm::vec3 p = position_.at(b);
+  return {.position = {p.x, p.y, p.z},
+          .volume = volume_[b],
+          .solid = solid_[b],
+          .wall_viscosity = wall_viscosity_.empty() ? 0 : wall_viscosity_[b],
+          .pressure = pressure_[b],
+          .velocity = {0, 0, 0}};
+}
+
+void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
+  count_ = static_cast<std::uint32_t>(samples.size());
+  position_.resize(count_);
+  velocity_.resize(count_);
+  for (ScalarField* f : {&volume_, &solid_, &pressure_, &step_pressure_, &wall_viscosity_})
+    f->resize(count_);
+  const Vec3Arrays x = position_.view(), v = velocity_.view();
+  for (std::uint32_t i = 0; i < count_; ++i)
+    x.set(i, samples[i].position);
+  grid_.sort(map, x, count_);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const Sample& s = samples[grid_.order()[i]];
+    x.set(i, s.position);
+    v.set(i, s.velocity);
+    volume_[i] = s.volume;
+    solid_[i] = s.solid;
+    wall_viscosity_[i] = s.wall_viscosity;
+    pressure_[i] = s.pressure;
+  }
+  place_sentinel(position_, count_);
 }
 
 /// The volumes give the liquid the rest density: where samples are in a single layer, at the sample
@@ -222,7 +265,8 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
 }
 
 std::size_t Boundary::memory_bytes() const {
-  return position_.memory_bytes() + 4 * volume_.memory_bytes() + grid_.memory_bytes();
+  return position_.memory_bytes() + 4 * volume_.memory_bytes() + grid_.memory_bytes() +
+         wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
 }
 
 }  // namespace spindrift::sim

@@ -6,18 +6,26 @@
 #include <span>
 #include <vector>
 
+#include "sim/posed_body.hpp"
 #include "sim/real.hpp"
 #include "sim/settings.hpp"
 
 namespace spindrift::sim {
 
 struct ContactView {
-  Vec3<float> min, max;  ///< inner faces of the domain, m
-  const Obstacle* obstacles = nullptr;
+  Vec3<float> min, max;                 ///< inner faces of the domain, m
+  const Obstacle* obstacles = nullptr;  ///< those that are fixed
   std::size_t obstacle_count = 0;
+  std::span<const PosedBody> bodies = {};  ///< the obstacles that move
 
   /// The point itself, or the nearest one that is inside the domain and outside every obstacle, m.
   Vec3<float> resolve(Vec3<float> p) const;
+
+  /// The same for a particle that comes from `from`, which moving bodies do not pass.
+  Vec3<float> resolve(const Vec3<float>& from, Vec3<float> p) const;
+
+  /// Velocity of the moving body that pushed a particle to where it is, m/s; 0 if none did.
+  Vec3<float> velocity_behind(const Vec3<float>& p, const Vec3<float>& push) const;
 
   /// Whether a point is inside the domain and outside every obstacle.
   bool is_open(Vec3<float> p) const;
@@ -31,10 +39,29 @@ Vec3<float> push_out(const Shape& shape, Vec3<float> p);
 bool contains(const Shape& shape, Vec3<float> p);
 
 inline Vec3<float> ContactView::resolve(Vec3<float> p) const {
+  for (const PosedBody& body : bodies)
+    p = body.hold(p, {min, max});
   for (std::size_t k = 0; k < obstacle_count; ++k)
     p = push_out(obstacles[k].shape, p);
   const auto within = [](float v, float lo, float hi) { return v < lo ? lo : (v > hi ? hi : v); };
   return {within(p.x, min.x, max.x), within(p.y, min.y, max.y), within(p.z, min.z, max.z)};
+}
+
+inline Vec3<float> ContactView::resolve(const Vec3<float>& from, Vec3<float> p) const {
+  for (const PosedBody& body : bodies)
+    p = body.sweep(from, p, {min, max});
+  return resolve(p);
+}
+
+inline Vec3<float> ContactView::velocity_behind(const Vec3<float>& p,
+                                                const Vec3<float>& push) const {
+  const float length = square_root(dot(push, push));
+  for (const PosedBody& body : bodies) {
+    const Vec3<float> behind = p - (0.01f * body.spacing / length) * push;
+    if (body.holds(behind, {min, max}))
+      return body.velocity(body.pose.back(behind));
+  }
+  return {0, 0, 0};
 }
 
 inline bool ContactView::is_open(Vec3<float> p) const {

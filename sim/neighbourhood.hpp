@@ -22,6 +22,8 @@ class Neighbourhood {
     return {.position = boundary_.positions(),
             .volume = boundary_.volumes(),
             .solid = boundary_.solids(),
+            .wall_viscosity = boundary_.wall_viscosities(),
+            .velocity = boundary_.velocities(),
             .pressure = boundary_.pressures().data(),
             .step_pressure = boundary_.step_pressures().data(),
             .neighbours = boundary_lists_.view(),

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -69,9 +70,44 @@ struct DomainSettings {
   glm::vec3 max{3.2f, 2.0f, 0.8f};  ///< m
 };
 
-/// A solid, fixed body.
+/// One key of a body's way, relative to where the scene puts it.
+struct MotionKey {
+  float time = 0.f;          ///< s
+  glm::vec3 translate{0.f};  ///< m
+  glm::vec3 rotate{0.f};     ///< about x, then y, then z, through the pivot, degrees
+};
+
+enum class Interpolation { smooth, linear };
+
+/// A swing to and fro: amplitudes times sin(2π frequency time + phase).
+struct Oscillation {
+  glm::vec3 translate{0.f};  ///< amplitude, m
+  glm::vec3 rotate{0.f};     ///< amplitude about x, then y, then z, degrees
+  float frequency = 1.f;     ///< Hz
+  float phase = 0.f;         ///< at time 0, degrees
+};
+
+/// A steady turn about an axis through the pivot.
+struct Spin {
+  glm::vec3 axis{0.f, 1.f, 0.f};  ///< counter-clockwise seen from its tip; need not be unit
+  float frequency = 0.5f;         ///< turns per second
+};
+
+/// How a body moves: where it is depends on nothing but the time. It spins, is rotated, both about
+/// the pivot, and is translated; the parts of keyframes and oscillations add up.
+struct Motion {
+  glm::vec3 pivot{0.f};                                 ///< where the scene puts it, m
+  std::vector<MotionKey> keyframes;                     ///< in the order of their times
+  Interpolation interpolation = Interpolation::smooth;  ///< between keys; before and after: at rest
+  std::vector<Oscillation> oscillations;
+  std::optional<Spin> spin = std::nullopt;
+};
+
+/// A solid body, fixed or moving.
 struct Obstacle {
   Shape shape = Box{};
+  std::optional<float> wall_viscosity = std::nullopt;  ///< Pa·s; none: the fluid's
+  std::optional<Motion> motion = std::nullopt;         ///< none: fixed
 };
 
 /// One key of a body acceleration that varies in time, linear in between, constant outside.

@@ -8,6 +8,7 @@
 #include "sim/initial.hpp"
 #include "sim/leftover.hpp"
 #include "sim/measure.hpp"
+#include "sim/moving_bodies.hpp"
 #include "sim/neighbourhood.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/settle.hpp"
@@ -23,26 +24,29 @@ namespace {
 /// where the lists were made.
 constexpr float list_radius_factor = 1.05f;
 
-struct Motion {
+struct Moved {
   float squared_speed = 0;
   std::int64_t contacts = 0;
   double squared_pressure = 0;
-  void join(const Motion& o) {
+  double wall_impulse = 0;  ///< Σ of what contacts change velocities by, times the walls', m²/s²
+  void join(const Moved& o) {
     squared_speed = std::max(squared_speed, o.squared_speed);
     contacts += o.contacts;
     squared_pressure += o.squared_pressure;
+    wall_impulse += o.wall_impulse;
   }
 };
 
 }  // namespace
 
 struct Simulation::Impl {
-  Settings settings;
+  Settings settings, fixed;  ///< all, and without the obstacles that move
   FluidConstants constants;
   Executor executor;
   Particles particles;
   GridMap map;
   Boundary boundary;
+  std::unique_ptr<MovingBodies> moving;  ///< null where nothing moves
   Neighbourhood neighbourhood;
   std::unique_ptr<PressureSolver> solver;
   TimeStepControl time_step;
@@ -50,20 +54,23 @@ struct Simulation::Impl {
   float max_speed = 0;
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
+  double drift_impulse = 0;  ///< as Moved::wall_impulse
   Viscosity viscosity;
   Leftover leftover;
 
   Impl(const Settings& s, const InitialParticles& initial)
       : settings(s),
+        fixed(without_moving(s)),
         constants(constants_of(s.fluid)),
         map(GridMap::over(from_glm(s.domain.min - s.fluid.spacing),
                           from_glm(s.domain.max + s.fluid.spacing),
                           list_radius_factor * constants.support_radius)),
-        boundary(s, map, constants.support_radius),
+        boundary(fixed, map, constants.support_radius),
+        moving(any_moves(s.obstacles) ? std::make_unique<MovingBodies>(s, map, boundary) : nullptr),
         neighbourhood(map, boundary),
         solver(make_solver(initial)),
         time_step(s.solver, constants, solver->time_step_limit()),
-        viscosity(constants),
+        viscosity(constants, largest_wall_viscosity(s)),
         leftover(s.solver, constants.support_radius) {
     if (initial.positions.empty())
       throw std::invalid_argument(
@@ -76,6 +83,7 @@ struct Simulation::Impl {
       particles.ids[i] = i;
       max_speed = std::max(max_speed, glm::length(initial.velocities[i]));
     }
+    move_walls(0, 0);
   }
 
   std::unique_ptr<PressureSolver> make_solver(const InitialParticles& initial) const {
@@ -87,11 +95,30 @@ struct Simulation::Impl {
   }
 
   ContactView contact() const {
-    return {from_glm(settings.domain.min), from_glm(settings.domain.max), settings.obstacles.data(),
-            settings.obstacles.size()};
+    ContactView view{from_glm(fixed.domain.min), from_glm(fixed.domain.max), fixed.obstacles.data(),
+                     fixed.obstacles.size()};
+    if (moving)
+      view.bodies = moving->bodies();
+    return view;
   }
 
-  bool viscous() const { return constants.viscosity > 0 || constants.wall_viscosity > 0; }
+  /// Puts the walls where they are at the end of a step.
+  void move_walls(double start, double end) {
+    if (moving)
+      moving->place(executor, start, end);
+  }
+
+  /// The fastest speed that limits the next step, m/s: the particles', or that of walls in it.
+  double fastest(double end) const {
+    if (!moving)
+      return max_speed;
+    const double longest = std::min(end - time, double{settings.solver.max_time_step});
+    const double distance = settings.solver.cfl * constants.support_radius;
+    const double step = moving->step_within(distance, time, longest);
+    return step < longest ? std::max(double{max_speed}, distance / step) : max_speed;
+  }
+
+  bool viscous() const { return constants.viscosity > 0 || largest_wall_viscosity(settings) > 0; }
   bool corrects_density() const { return settings.solver.type == SolverType::pcisph; }
 
   void find_neighbours() {
@@ -127,6 +154,7 @@ struct Simulation::Impl {
   /// One accepted step of at most dt; returns its length, s.
   double step(double dt, FrameStatistics& statistics) {
     for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
+      move_walls(time, time + dt);
       drift(dt);
       find_neighbours();
       if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
@@ -136,7 +164,7 @@ struct Simulation::Impl {
       statistics.iterations += result.iterations;
       if (!result.accepted)
         continue;
-      statistics.contacts += integrate(context, result.pressure_factor);
+      statistics.contacts += integrate(context, result.pressure_factor, statistics);
       break;
     }
     time_step.accepted(dt);
@@ -156,22 +184,29 @@ struct Simulation::Impl {
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view();
     const ContactView walls = contact();
-    drift_contacts = executor
-                         .reduce<Motion>("drift", particles.count,
-                                         [=](std::uint32_t i) {
-                                           const Vec3<float> velocity = v[i] + dv;
-                                           const Vec3<float> free = x[i] + step * velocity;
-                                           const Vec3<float> held = walls.resolve(free);
-                                           const Vec3<float> push = held - free;
-                                           drifted_x.set(i, held);
-                                           drifted_v.set(i, velocity + (1 / step) * push);
-                                           return Motion{0, dot(push, push) > 0};
-                                         })
-                         .contacts;
+    const Moved motion = executor.reduce<Moved>("drift", particles.count, [=](std::uint32_t i) {
+      const Vec3<float> velocity = v[i] + dv;
+      const Vec3<float> free = x[i] + step * velocity;
+      const Vec3<float> held = walls.resolve(x[i], free);
+      const Vec3<float> push = held - free;
+      drifted_x.set(i, held);
+      drifted_v.set(i, velocity + (1 / step) * push);
+      return Moved{0, dot(push, push) > 0, 0, wall_impulse(walls, held, push, step)};
+    });
+    drift_contacts = motion.contacts;
+    drift_impulse = motion.wall_impulse;
+  }
+
+  /// A contact's change of velocity times the wall's velocity, m²/s².
+  static double wall_impulse(const ContactView& walls, const Vec3<float>& held,
+                             const Vec3<float>& push, float time_step) {
+    if (walls.bodies.empty() || !(dot(push, push) > 0))
+      return 0;
+    return double{dot(push, walls.velocity_behind(held, push))} / double{time_step};
   }
 
   /// Takes over the corrected positions; returns how many particles were stopped by a surface.
-  std::int64_t integrate(const StepContext& s, float pressure_factor) {
+  std::int64_t integrate(const StepContext& s, float pressure_factor, FrameStatistics& statistics) {
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view(),
@@ -179,19 +214,24 @@ struct Simulation::Impl {
                      a = particles.acceleration.view();
     float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data();
     const float dt = s.time_step;
-    const Motion motion =
-        executor.reduce<Motion>("integrate", particles.count, [=](std::uint32_t i) {
-          const Vec3<float> free = drifted_x[i] + (dt * dt) * a[i];
-          const Vec3<float> push = corrected[i] - free;
-          const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
-          x.set(i, corrected[i]);
-          v.set(i, velocity);
-          pressure[i] = pressure_factor * new_pressure[i];
-          return Motion{dot(velocity, velocity), dot(push, push) > 0,
-                        double{pressure[i]} * pressure[i]};
-        });
+    const ContactView walls = s.contact;
+    const Moved motion = executor.reduce<Moved>("integrate", particles.count, [=](std::uint32_t i) {
+      const Vec3<float> free = drifted_x[i] + (dt * dt) * a[i];
+      const Vec3<float> push = corrected[i] - free;
+      const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
+      x.set(i, corrected[i]);
+      v.set(i, velocity);
+      pressure[i] = pressure_factor * new_pressure[i];
+      return Moved{dot(velocity, velocity), dot(push, push) > 0, double{pressure[i]} * pressure[i],
+                   wall_impulse(walls, corrected[i], push, dt)};
+    });
     mean_pressure = std::sqrt(motion.squared_pressure / particles.count);
     const BoundaryView& solid = s.boundary;
+    if (moving)
+      statistics.wall_work +=
+          double{constants.rest_density} * constants.volume *
+              (motion.wall_impulse + drift_impulse) +
+          wall_work(executor, constants, settings.solver.pressure_kernel, particles, solid, dt);
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
@@ -213,6 +253,7 @@ struct Simulation::Impl {
 
   /// The liquid as it is now.
   void measure(FrameStatistics& statistics) {
+    move_walls(time, time);
     const Measured m =
         spindrift::sim::measure(executor, particles, neighbourhood, constants, settings,
                                 list_radius_factor * constants.support_radius);
@@ -238,7 +279,7 @@ struct Simulation::Impl {
         return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
       const double wanted =
-          time_step.next(end - time, max_speed, std::sqrt(dot(a, a)), mean_pressure);
+          time_step.next(end - time, fastest(end), std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
       statistics.min_time_step =
@@ -272,10 +313,17 @@ Simulation::Simulation(const Settings& settings, const Frame& start)
     const Vec3<float> v = from_glm(start.velocities[i]);
     squared_speed = std::max(squared_speed, dot(v, v));
   }
-  if (start.boundary_pressures.size() != impl_->boundary.count())
+  const std::size_t samples =
+      impl_->moving ? impl_->moving->pressures().size() : impl_->boundary.count();
+  if (start.boundary_pressures.size() != samples)
     throw std::invalid_argument("cannot go on from a frame with other walls or obstacles");
-  std::copy(start.boundary_pressures.begin(), start.boundary_pressures.end(),
-            impl_->boundary.pressures().data());
+  if (impl_->moving) {
+    impl_->move_walls(start.time, start.time);
+    impl_->moving->set_pressures(start.boundary_pressures);
+  } else {
+    std::copy(start.boundary_pressures.begin(), start.boundary_pressures.end(),
+              impl_->boundary.pressures().data());
+  }
   impl_->max_speed = std::sqrt(squared_speed);
   impl_->time = start.time;
   impl_->time_step.set_last(start.last_time_step);
@@ -295,8 +343,11 @@ Frame Simulation::frame() const {
   frame.last_time_step = impl_->time_step.last();
   frame.ids = p.ids;
   Boundary& boundary = impl_->boundary;
-  frame.boundary_pressures.assign(boundary.pressures().data(),
-                                  boundary.pressures().data() + boundary.count());
+  if (impl_->moving)
+    frame.boundary_pressures = impl_->moving->pressures();
+  else
+    frame.boundary_pressures.assign(boundary.pressures().data(),
+                                    boundary.pressures().data() + boundary.count());
   frame.positions.reserve(p.count);
   frame.velocities.reserve(p.count);
   frame.densities.reserve(p.count);
@@ -319,7 +370,7 @@ std::size_t Simulation::boundary_particle_count() const {
 std::size_t Simulation::memory_bytes() const {
   return impl_->particles.memory_bytes() + impl_->neighbourhood.memory_bytes() +
          impl_->boundary.memory_bytes() + impl_->solver->memory_bytes() +
-         impl_->viscosity.memory_bytes();
+         impl_->viscosity.memory_bytes() + (impl_->moving ? impl_->moving->memory_bytes() : 0);
 }
 
 std::vector<PhaseTime> Simulation::phase_times() const {

@@ -41,6 +41,7 @@ struct FrameStatistics {
   double kinetic_energy = 0;    ///< J
   double potential_energy = 0;  ///< J, against the domain's lowest corner along gravity
   std::int64_t contacts = 0;    ///< particles stopped by a wall's surface rather than by pressure
+  double wall_work = 0;         ///< J, of obstacles that move on the liquid
 };
 
 struct PhaseTime {

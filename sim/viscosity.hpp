@@ -8,7 +8,8 @@ namespace spindrift::sim {
 
 class Viscosity {
  public:
-  explicit Viscosity(const FluidConstants& constants);
+  /// @param wall_viscosity the largest of any wall, Pa·s
+  Viscosity(const FluidConstants& constants, float wall_viscosity);
 
   /// Changes the drifted velocities and positions. Returns true if it moved a particle so far that
   /// its neighbours are no longer those that are listed.

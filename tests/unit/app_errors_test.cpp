@@ -95,6 +95,27 @@ const std::vector<Case> wrong_together{
     {R"({"obstacles": [{"capsule": {"from": [1,1,1], "to": [2,1,1]}}]})",
      {"obstacles[0].capsule", "\"radius\" is missing"}},
     {R"({"obstacles": [{"capsul": {}}]})", {"obstacles[0].capsul", "did you mean \"capsule\""}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {}}]})",
+     {"bad.json:1:58: obstacles[0].motion: says nothing", "keyframes, oscillations or spin"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {"keyframes": [
+         {"time": 1}, {"time": 0.5, "translate": [1,0,0]}]}}]})",
+     {"bad.json:2:24: obstacles[0].motion.keyframes[1].time: 0.5 s is not after", "(1 s)"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "oscillations": [{"frequency": 2}]}}]})",
+     {"motion.oscillations[0]: has no amplitude", "translate (m) or rotate (degrees)"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "spin": {"axis": [0,0,0], "frequency": 2}}}]})",
+     {"obstacles[0].motion.spin.axis: has no length"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "spin": {"axis": [0,0,1]}}}]})",
+     {"obstacles[0].motion.spin: \"frequency\" is missing"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {"spinn": {}}}]})",
+     {"obstacles[0].motion.spinn", "did you mean \"spin\""}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "interpolation": "cubic", "keyframes": [{"time": 0}]}}]})",
+     {"motion.interpolation", "smooth, linear"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "wall_viscosity": -1}]})",
+     {"obstacles[0].wall_viscosity: -1 is out of range", "Pa·s"}},
     {R"({"video": {"width": 641}})", {"video.width: 641 is odd"}},
     {R"({"video": {"height": 361}})", {"video.height: 361 is odd"}},
     {R"({"video": {"duration": 0.001}})", {"video.duration", "frames"}},
