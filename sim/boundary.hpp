@@ -23,6 +23,11 @@ class Boundary {
   const float* solids() { return solid_.data(); }
   ScalarField& pressures() { return pressure_; }
   ScalarField& step_pressures() { return step_pressure_; }
+  /// Changes how much a sample stands for: nothing where a nozzle opens the wall.
+  void set_sample(std::uint32_t b, float volume, float solid) {
+    volume_[b] = volume;
+    solid_[b] = solid;
+  }
   std::size_t memory_bytes() const;
 
  private:

@@ -34,6 +34,8 @@ float default_speed_of_sound(const Settings& settings, const InitialParticles& i
   float speed = 0;
   for (const glm::vec3 v : initial.velocities)
     speed = std::max(speed, glm::length(v));
+  for (const Emitter& emitter : settings.fluid.emitters)
+    speed = std::max(speed, emitter.speed);
   float acceleration = glm::length(settings.forces.gravity);
   for (const AccelerationKey& k : settings.forces.body)
     acceleration += glm::length(k.acceleration);

@@ -4,11 +4,14 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "sim/inflow.hpp"
 #include "sim/initial.hpp"
 #include "sim/leftover.hpp"
 #include "sim/measure.hpp"
 #include "sim/neighbourhood.hpp"
+#include "sim/outflow.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/shapes.hpp"
 #include "sim/time_step.hpp"
@@ -51,22 +54,26 @@ struct Simulation::Impl {
   std::int64_t drift_contacts = 0;
   Viscosity viscosity;
   Leftover leftover;
+  Inflow inflow;
+  Outflow outflow;
+  Exchange exchange;  ///< since the last frame
 
   Impl(const Settings& s, const InitialParticles& initial)
       : settings(s),
         constants(constants_of(s.fluid)),
-        map(GridMap::over(from_glm(s.domain.min - s.fluid.spacing),
-                          from_glm(s.domain.max + s.fluid.spacing),
-                          list_radius_factor * constants.support_radius)),
+        map(grid_over(s, list_radius_factor * constants.support_radius)),
         boundary(s, map, constants.support_radius),
         neighbourhood(map, boundary),
         solver(make_solver(initial)),
         time_step(s.solver, constants, solver->time_step_limit()),
         viscosity(constants),
-        leftover(s.solver, constants.support_radius) {
-    if (initial.positions.empty())
+        leftover(s.solver, constants.support_radius),
+        inflow(s, constants, static_cast<std::uint32_t>(initial.positions.size())),
+        outflow(s, constants) {
+    if (initial.positions.empty() && !inflow.exists())
       throw std::invalid_argument(
-          "the scene has no particles: no volume is as wide as fluid.spacing");
+          "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
+          "emitter");
     const auto n = static_cast<std::uint32_t>(initial.positions.size());
     particles.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -75,6 +82,18 @@ struct Simulation::Impl {
       particles.ids[i] = i;
       max_speed = std::max(max_speed, glm::length(initial.velocities[i]));
     }
+    inflow.attach(boundary);
+  }
+
+  /// The grid of all places where particles may be.
+  static GridMap grid_over(const Settings& s, float cell) {
+    Box box = reach_of(s);
+    for (const Emitter& emitter : s.fluid.emitters) {
+      const Box nozzle = Nozzle(emitter, s.fluid.spacing).bounds();
+      box = {glm::min(box.min, nozzle.min), glm::max(box.max, nozzle.max)};
+    }
+    return GridMap::over(from_glm(box.min - s.fluid.spacing), from_glm(box.max + s.fluid.spacing),
+                         cell);
   }
 
   std::unique_ptr<PressureSolver> make_solver(const InitialParticles& initial) const {
@@ -85,9 +104,22 @@ struct Simulation::Impl {
                       c > 0 ? c : default_speed_of_sound(settings, initial));
   }
 
+  /// @throws std::invalid_argument for a frame that is not one of these settings'
+  void check_start(const Frame& start) const {
+    const std::size_t n = start.positions.size();
+    if (n != particles.count && !inflow.exists() && !outflow.exists())
+      throw std::invalid_argument(fmt::format(
+          "cannot go on from a frame of {} particles: the scene has {}", n, particles.count));
+    const std::uint32_t end = inflow.next_id(start.time);
+    if (std::any_of(start.ids.begin(), start.ids.end(), [&](auto id) { return id >= end; }))
+      throw std::invalid_argument(fmt::format(
+          "cannot go on from a frame with a particle of a number above {}: the scene has none yet",
+          end));
+  }
+
   ContactView contact() const {
     return {from_glm(settings.domain.min), from_glm(settings.domain.max), settings.obstacles.data(),
-            settings.obstacles.size()};
+            settings.obstacles.size(), OpenFaces(settings.domain)};
   }
 
   bool viscous() const { return constants.viscosity > 0 || constants.wall_viscosity > 0; }
@@ -95,6 +127,7 @@ struct Simulation::Impl {
 
   void find_neighbours() {
     neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
+    inflow.mark(particles);
   }
 
   StepContext context_of(double dt, int refusals, const float* excess) {
@@ -106,6 +139,7 @@ struct Simulation::Impl {
             .grid = &neighbourhood.grid(),
             .map = &map,
             .contact = contact(),
+            .held = inflow.held(),
             .time_step = static_cast<float>(dt),
             .refusals = refusals,
             .kick = kick(dt),
@@ -131,6 +165,7 @@ struct Simulation::Impl {
       if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
         find_neighbours();
       const StepContext context = context_of(dt, refusals, allowed_leftover(dt, refusals));
+      inflow.allow(context, particles.excess.data());
       const StepResult result = solver->solve(context);
       statistics.iterations += result.iterations;
       if (!result.accepted)
@@ -155,6 +190,8 @@ struct Simulation::Impl {
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view();
     const ContactView walls = contact();
+    inflow.mark(particles);
+    const float* carried = inflow.held();
     drift_contacts = executor
                          .reduce<Motion>("drift", particles.count,
                                          [=](std::uint32_t i) {
@@ -164,9 +201,12 @@ struct Simulation::Impl {
                                            const Vec3<float> push = held - free;
                                            drifted_x.set(i, held);
                                            drifted_v.set(i, velocity + (1 / step) * push);
-                                           return Motion{0, dot(push, push) > 0};
+                                           const bool free_to_touch =
+                                               carried == nullptr || carried[i] == 0;
+                                           return Motion{0, free_to_touch && dot(push, push) > 0};
                                          })
                          .contacts;
+    inflow.carry(executor, particles, time + dt);
   }
 
   /// Takes over the corrected positions; returns how many particles were stopped by a surface.
@@ -189,7 +229,7 @@ struct Simulation::Impl {
           return Motion{dot(velocity, velocity), dot(push, push) > 0,
                         double{pressure[i]} * pressure[i]};
         });
-    mean_pressure = std::sqrt(motion.squared_pressure / particles.count);
+    mean_pressure = std::sqrt(motion.squared_pressure / std::max(1u, particles.count));
     const BoundaryView& solid = s.boundary;
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
@@ -198,12 +238,29 @@ struct Simulation::Impl {
     return motion.contacts + drift_contacts;
   }
 
-  void note_leftover(bool after_a_step) {
-    if (corrects_density())
-      leftover.note(executor, particles, after_a_step);
+  /// What comes and goes at the end of a step, or at the start of a run.
+  void exchange_particles() {
+    if (!inflow.exists() && !outflow.exists())
+      return;
+    exchange += outflow.apply(executor, particles, inflow.held());
+    exchange += inflow.advance(particles, boundary, time, time_step.last(),
+                               body_acceleration(settings.forces, time));
+    if (inflow.disturbs())
+      measure_start();
+    const Vec3Arrays v = particles.velocity.view();
+    max_speed =
+        std::sqrt(executor
+                      .reduce<Largest>("exchange", particles.count,
+                                       [=](std::uint32_t i) { return Largest{dot(v[i], v[i])}; })
+                      .value);
   }
 
-  /// Measures particles as they are given.
+  void note_leftover(bool after_a_step) {
+    if (corrects_density())
+      leftover.note(executor, particles, inflow.held(), after_a_step);
+  }
+
+  /// Measures particles as they are given, or where others have come close to them.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
@@ -215,11 +272,13 @@ struct Simulation::Impl {
     const Measured m =
         spindrift::sim::measure(executor, particles, neighbourhood, constants, settings,
                                 list_radius_factor * constants.support_radius);
+    inflow.mark(particles);
     // The same number for a run in one piece and one that goes on from here.
     mean_pressure = m.rms_pressure;
     statistics.mean_compression = m.mean_compression;
     statistics.max_compression = m.max_compression;
     statistics.max_speed = max_speed;
+    statistics.particles = particles.count;
     statistics.kinetic_energy = m.kinetic_energy;
     statistics.potential_energy = m.potential_energy;
   }
@@ -233,10 +292,14 @@ struct Simulation::Impl {
       if (stop != nullptr && *stop)
         return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
-      const double wanted =
-          time_step.next(end - time, max_speed, std::sqrt(dot(a, a)), mean_pressure);
+      const double speed =
+          std::max(max_speed, inflow.speed_within(time, time + settings.solver.max_time_step));
+      const double wanted = time_step.next(end - time, speed, std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
+      if (end - time <= tiny)
+        time = end;
+      exchange_particles();
       statistics.min_time_step =
           statistics.steps == 0 ? dt : std::min(statistics.min_time_step, dt);
       statistics.max_time_step = std::max(statistics.max_time_step, dt);
@@ -245,20 +308,21 @@ struct Simulation::Impl {
     time = end;
     measure(statistics);
     note_leftover(false);
+    statistics.exchange = std::exchange(exchange, {});
     return statistics;
   }
 };
 
 Simulation::Simulation(const Settings& settings)
-    : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {}
+    : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {
+  impl_->exchange_particles();
+}
 
 Simulation::Simulation(const Settings& settings, const Frame& start)
     : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {
   Particles& p = impl_->particles;
-  if (start.positions.size() != p.count)
-    throw std::invalid_argument(
-        fmt::format("cannot go on from a frame of {} particles: the scene has {}",
-                    start.positions.size(), p.count));
+  impl_->check_start(start);
+  p.resize(static_cast<std::uint32_t>(start.positions.size()));
   float squared_speed = 0;
   for (std::uint32_t i = 0; i < p.count; ++i) {
     p.position.view().set(i, from_glm(start.positions[i]));
@@ -275,6 +339,7 @@ Simulation::Simulation(const Settings& settings, const Frame& start)
   impl_->max_speed = std::sqrt(squared_speed);
   impl_->time = start.time;
   impl_->time_step.set_last(start.last_time_step);
+  impl_->inflow.resume(impl_->boundary, start.time);
   impl_->measure_start();
 }
 
