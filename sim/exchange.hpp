@@ -2,11 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
-#include <span>
-#include <vector>
-
-#include "sim/particles.hpp"
 
 namespace spindrift::sim {
 
@@ -29,12 +24,5 @@ struct Exchange {
     return *this;
   }
 };
-
-/// Adds particles of the given velocity, m/s, without pressure, after all others.
-void append_particles(Particles& particles, std::span<const glm::vec3> positions,
-                      const glm::vec3& velocity, std::span<const std::uint32_t> ids);
-
-/// Takes away particle i where gone[i] is not 0; the others keep their order.
-void remove_particles(Particles& particles, std::span<const std::uint8_t> gone);
 
 }  // namespace spindrift::sim

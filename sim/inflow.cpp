@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/measure.hpp"
+#include "sim/particle_exchange.hpp"
 
 namespace spindrift::sim {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "sim/contact.hpp"
 #include "sim/measure.hpp"
+#include "sim/particle_exchange.hpp"
 
 namespace spindrift::sim {
 namespace {

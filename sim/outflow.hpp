@@ -8,6 +8,7 @@
 #include "sim/formulas.hpp"
 #include "sim/open_faces.hpp"
 #include "sim/openmp/executor.hpp"
+#include "sim/particles.hpp"
 
 namespace spindrift::sim {
 

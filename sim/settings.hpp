@@ -150,6 +150,11 @@ struct Settings {
   std::vector<Sink> sinks;
   ForceSettings forces;
   SolverSettings solver;
+
+  /// Whether particles come or go during a run.
+  bool exchanges_particles() const {
+    return !fluid.emitters.empty() || !sinks.empty() || !domain.open.empty();
+  }
 };
 
 }  // namespace spindrift::sim

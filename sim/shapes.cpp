@@ -208,6 +208,10 @@ Box bounds_of(const Shape& shape) {
       shape);
 }
 
+bool is_inside(const Shape& shape, const glm::vec3& p) {
+  return contains(shape, {p.x, p.y, p.z});
+}
+
 Vec3<float> push_out(const Shape& shape, Vec3<float> p) {
   const glm::vec3 q(p.x, p.y, p.z);
   const auto from_glm = [](glm::vec3 v) { return Vec3<float>{v.x, v.y, v.z}; };

@@ -1,4 +1,4 @@
-#include "sim/exchange.hpp"
+#include "sim/particle_exchange.hpp"
 
 namespace spindrift::sim {
 
