@@ -14,6 +14,9 @@ namespace {
 /// of eight on a lattice it is 0.866.
 constexpr float least_distance = 0.87f;
 
+/// Times closer than this are the same, s: that at which a step ends and that of an event.
+constexpr double instant = 1e-9;
+
 }  // namespace
 
 Inflow::Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id)
@@ -26,7 +29,7 @@ Inflow::Inflow(const Settings& settings, const FluidConstants& constants, std::u
 std::uint32_t Inflow::next_id(double time) const {
   std::int64_t id = first_id_;
   for (const Nozzle& nozzle : nozzles_)
-    id += nozzle.entered(time) * nozzle.layer_size();
+    id += nozzle.entered(time + instant) * nozzle.layer_size();
   if (id > std::numeric_limits<std::uint32_t>::max())
     throw std::runtime_error("more than 4,294,967,295 particles have come out of fluid.emitters");
   return static_cast<std::uint32_t>(id);
@@ -44,6 +47,13 @@ Inflow::Layer Inflow::layer(std::uint32_t nozzle, std::int64_t k) const {
     id += before * nozzles_[n].layer_size();
   }
   return {static_cast<std::uint32_t>(id), nozzle, k};
+}
+
+double Inflow::next_begin(double time, double end) const {
+  for (const Nozzle& nozzle : nozzles_)
+    if (nozzle.begin() > time + instant)
+      end = std::min(end, nozzle.begin());
+  return end;
 }
 
 float Inflow::speed_within(double begin, double end) const {
@@ -67,7 +77,7 @@ void Inflow::open_walls(Boundary& boundary, double time) {
   constexpr double lowered = 3;
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
     Opening& opening = openings_[n];
-    const double part = nozzles_[n].closed_part(time);
+    const double part = nozzles_[n].closed_part(time + instant);
     if (opening.closed_part == part)
       continue;
     disturbs_ = disturbs_ || (part == 0 && !opening.samples.empty());
@@ -80,7 +90,7 @@ void Inflow::open_walls(Boundary& boundary, double time) {
 
 void Inflow::resume(Boundary& boundary, double time) {
   for (std::size_t n = 0; n < nozzles_.size(); ++n)
-    entered_[n] = nozzles_[n].entered(time);
+    entered_[n] = nozzles_[n].entered(time + instant);
   note_held_layers(time);
   open_walls(boundary, time);
 }
@@ -88,7 +98,7 @@ void Inflow::resume(Boundary& boundary, double time) {
 void Inflow::note_held_layers(double time) {
   held_layers_.clear();
   for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
-    for (std::int64_t k = nozzles_[n].released(time); k < nozzles_[n].entered(time); ++k)
+    for (std::int64_t k = nozzles_[n].released(time); k < nozzles_[n].entered(time + instant); ++k)
       held_layers_.push_back(layer(n, k));
   std::sort(held_layers_.begin(), held_layers_.end(),
             [](const Layer& a, const Layer& b) { return a.first_id < b.first_id; });
@@ -214,7 +224,8 @@ Exchange Inflow::advance(Particles& particles, Boundary& boundary, double time, 
   next_id(time);  // there are enough
   std::vector<Layer> entering;
   for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
-    for (const std::int64_t end = nozzles_[n].entered(time); entered_[n] < end; ++entered_[n])
+    for (const std::int64_t end = nozzles_[n].entered(time + instant); entered_[n] < end;
+         ++entered_[n])
       entering.push_back(layer(n, entered_[n]));
   Exchange exchange;
   for (const Layer& l : entering)

@@ -21,6 +21,8 @@ class Inflow {
   const std::vector<Nozzle>& nozzles() const { return nozzles_; }
   /// Numbers given away until a time are below this one.
   std::uint32_t next_id(double time) const;
+  /// When the next emitter begins after a time, at most `end`, s.
+  double next_begin(double time, double end) const;
   /// The fastest speed in any nozzle in the time between, m/s.
   float speed_within(double begin, double end) const;
 

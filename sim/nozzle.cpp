@@ -112,7 +112,7 @@ glm::vec3 direction_of(const Opening& opening) {
 }
 
 Nozzle::Nozzle(const Emitter& emitter, float spacing)
-    : begin_(emitter.from),
+    : begin_(std::round(1e6 * double{emitter.from}) / 1e6),  // 0.1 s, not 0.1f
       speed_(emitter.speed),
       reach_(0.75f * spacing),
       direction_(direction_of(emitter.opening)),

@@ -37,6 +37,7 @@ class Nozzle {
   /// When layer k comes into the nozzle and when out of it, s.
   double entry_time(std::int64_t k) const;
   double release_time(std::int64_t k) const;
+  double begin() const { return begin_; }  ///< s
   /// How many layers are in the nozzle or have been, and how many have left it, at a time.
   std::int64_t entered(double time) const;
   std::int64_t released(double time) const;

@@ -294,7 +294,8 @@ struct Simulation::Impl {
       const Vec3<float> a = body_acceleration(settings.forces, time);
       const double speed =
           std::max(max_speed, inflow.speed_within(time, time + settings.solver.max_time_step));
-      const double wanted = time_step.next(end - time, speed, std::sqrt(dot(a, a)), mean_pressure);
+      const double goal = inflow.next_begin(time, end);
+      const double wanted = time_step.next(goal - time, speed, std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
       if (end - time <= tiny)
