@@ -91,6 +91,11 @@ template <>
 inline constexpr std::array<std::string_view, std::variant_size_v<sim::Shape>>
     alternative_names<sim::Shape>{"box", "sphere", "cylinder", "capsule", "mesh"};
 template <>
+inline constexpr std::string_view variant_name<sim::Opening> = "opening";
+template <>
+inline constexpr std::array<std::string_view, std::variant_size_v<sim::Opening>>
+    alternative_names<sim::Opening>{"disc", "rectangle"};
+template <>
 inline constexpr std::string_view variant_name<sim::ProbeQuantity> = "quantity";
 template <>
 inline constexpr std::array<std::string_view, std::variant_size_v<sim::ProbeQuantity>>
@@ -152,6 +157,35 @@ inline constexpr auto table<sim::Volume> =
                Field{"velocity", &sim::Volume::velocity, "initial velocity", speeds, "m/s"}};
 
 template <>
+inline constexpr auto table<sim::Disc> = std::tuple{
+    Field{"center", &sim::Disc::center, "centre of the opening", places, "m", Presence::required},
+    Field{"direction", &sim::Disc::direction, "the way the liquid goes", directions, "",
+          Presence::required},
+    Field{"radius", &sim::Disc::radius, "of the opening", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Rectangle> = std::tuple{
+    Field{"center", &sim::Rectangle::center, "centre of the opening", places, "m",
+          Presence::required},
+    Field{"direction", &sim::Rectangle::direction, "the way the liquid goes", directions, "",
+          Presence::required},
+    Field{"up", &sim::Rectangle::up, "the way of its height, as far as across the direction",
+          directions},
+    Field{"width", &sim::Rectangle::width, "across up", lengths, "m", Presence::required},
+    Field{"height", &sim::Rectangle::height, "along up", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Emitter> = std::tuple{
+    Field{"", &sim::Emitter::opening},
+    Field{"speed", &sim::Emitter::speed,
+          "of the liquid in the opening; area times speed is the volume that comes per second",
+          Range{1e-3, 1e3}, "m/s"},
+    Field{"from", &sim::Emitter::from, "when the first liquid comes out", times, "s"},
+    Field{"to", &sim::Emitter::to, "when it ends", times, "s"},
+    Field{"max_particles", &sim::Emitter::max_particles,
+          "it also ends after so many, whole layers; 0: any number", Range{0, 2e8}}};
+
+template <>
 inline constexpr auto table<sim::FluidSettings> = std::tuple{
     Field{"spacing", &sim::FluidSettings::spacing, "distance between particle centres at rest",
           Range{1e-6, 100.}, "m"},
@@ -165,12 +199,16 @@ inline constexpr auto table<sim::FluidSettings> = std::tuple{
           Range{0., 1e4}, "Pa·s"},
     Field{"volumes", &sim::FluidSettings::volumes,
           "regions filled with liquid at the start; a box's outermost particle centres lie half a "
-          "spacing inside its faces"}};
+          "spacing inside its faces; none if there are only emitters"},
+    Field{"emitters", &sim::FluidSettings::emitters,
+          "openings that liquid enters through; each has a nozzle of four spacings behind it"}};
 
 template <>
 inline constexpr auto table<sim::DomainSettings> =
     std::tuple{Field{"min", &sim::DomainSettings::min, "lowest corner, inner faces", places, "m"},
-               Field{"max", &sim::DomainSettings::max, "highest corner, inner faces", places, "m"}};
+               Field{"max", &sim::DomainSettings::max, "highest corner, inner faces", places, "m"},
+               Field{"open", &sim::DomainSettings::open,
+                     "faces without a wall, by the way out through them, such as [\"+y\"]"}};
 
 template <>
 inline constexpr auto table<sim::MotionKey> = std::tuple{
@@ -224,6 +262,9 @@ inline constexpr auto table<sim::Obstacle> = std::tuple{
     Field{"motion", &sim::Obstacle::motion, "how the obstacle moves; fixed if left out"}};
 
 template <>
+inline constexpr auto table<sim::Sink> = std::tuple{Field{"", &sim::Sink::shape}};
+
+template <>
 inline constexpr auto table<sim::AccelerationKey> = std::tuple{
     Field{"time", &sim::AccelerationKey::time, "time of the key", times, "s", Presence::required},
     Field{"acceleration", &sim::AccelerationKey::acceleration,
@@ -268,8 +309,10 @@ inline constexpr auto table<sim::SolverSettings> = std::tuple{
 template <>
 inline constexpr auto table<sim::Settings> = std::tuple{
     Field{"fluid", &sim::Settings::fluid, "the liquid and where it starts"},
-    Field{"domain", &sim::Settings::domain, "the closed box that holds the liquid"},
+    Field{"domain", &sim::Settings::domain,
+          "the box that holds the liquid, closed but for its open faces"},
     Field{"obstacles", &sim::Settings::obstacles, "solid bodies, fixed or moving on a script"},
+    Field{"sinks", &sim::Settings::sinks, "bodies that take away what comes into them"},
     Field{"forces", &sim::Settings::forces, "what moves the liquid"},
     Field{"solver", &sim::Settings::solver, "how the motion is computed"}};
 

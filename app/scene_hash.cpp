@@ -51,6 +51,9 @@ std::string simulation_hash(const Scene& scene) {
   for (std::size_t i = 0; i < scene.simulation.obstacles.size(); ++i) {
     name_by_content(scene.simulation.obstacles[i].shape, what["obstacles"][i]);
   }
+  for (std::size_t i = 0; i < scene.simulation.sinks.size(); ++i) {
+    name_by_content(scene.simulation.sinks[i].shape, what["sinks"][i]);
+  }
   what["frames_per_second"] = scene.video.frames_per_second;
   if (!scene.probes.empty() && scene.probes_rate > 0)
     what["probes_rate"] = scene.probes_rate;  // steps end where probes are read

@@ -278,6 +278,10 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   Scene scene;
   scene.name = source.stem().string();
   SceneReader(document).read(root, "", scene);
+  auto& fluid = scene.simulation.fluid;
+  if (!fluid.emitters.empty() && !root.at("fluid").contains("volumes")) {
+    fluid.volumes.clear();  // the column that stands where nothing is said
+  }
   load_meshes(scene, document, source.parent_path());
   check_scene(scene, document);
   return scene;

@@ -234,8 +234,9 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
   const ContactView contact{{settings.domain.min.x, settings.domain.min.y, settings.domain.min.z},
                             {settings.domain.max.x, settings.domain.max.y, settings.domain.max.z},
                             settings.obstacles.data(),
-                            settings.obstacles.size()};
-  const ContactView walls{contact.min, contact.max, nullptr, 0};
+                            settings.obstacles.size(),
+                            OpenFaces(settings.domain)};
+  const ContactView walls{contact.min, contact.max, nullptr, 0, contact.open};
   solid_.resize(count_);
   const Vec3Arrays position = position_.view();
 #pragma omp parallel for schedule(dynamic, 64)

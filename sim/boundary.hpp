@@ -48,7 +48,13 @@ class Boundary {
   /// m/s; null where nothing moves.
   Vec3Arrays velocities() { return velocity_.view(); }
   ScalarField& pressures() { return pressure_; }
+  const ScalarField& pressures() const { return pressure_; }
   ScalarField& step_pressures() { return step_pressure_; }
+  /// Changes how much a sample stands for: nothing where a nozzle opens the wall.
+  void set_sample(std::uint32_t b, float volume, float solid) {
+    volume_[b] = volume;
+    solid_[b] = solid;
+  }
   std::size_t memory_bytes() const;
 
  private:

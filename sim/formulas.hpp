@@ -65,6 +65,23 @@ inline float density_ratio(std::uint32_t i, const FluidConstants& c, const Cubic
   return c.volume * fluid + solid;
 }
 
+/// The part of ρᵢ/ρ₀ that is in a nozzle, held[j] = 1, or solid.
+inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
+                                   const CubicKernel& kernel, const Vec3Arrays& position,
+                                   const float* held, const NeighbourView& neighbours,
+                                   const BoundaryView& boundary) {
+  const Vec3<float> xi = position[i];
+  const float fluid = neighbours.sum(i, [&](auto j) {
+    const auto d = xi - position[j];
+    return load(held, j) * kernel.value(square_root(dot(d, d)));
+  });
+  const float solid = boundary.neighbours.sum(i, [&](auto b) {
+    const auto d = xi - boundary.position[b];
+    return load(boundary.volume, b) * kernel.value(square_root(dot(d, d)));
+  });
+  return c.volume * fluid + solid;
+}
+
 /// ρ_b/ρ₀ of boundary sample b, with the fluid particles at `position`.
 inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
                                     const CubicKernel& kernel, const Vec3Arrays& position,

@@ -6,6 +6,9 @@
 #include "sim/formulas.hpp"
 #include "sim/lattice.hpp"
 #include "sim/motion.hpp"
+#include "sim/nozzle.hpp"
+#include "sim/openmp/cell_grid.hpp"
+#include "sim/outflow.hpp"
 #include "sim/particles.hpp"
 #include "sim/posed_body.hpp"
 #include "sim/shapes.hpp"
@@ -43,6 +46,16 @@ InitialParticles fill_volumes(const Settings& settings) {
   return initial;
 }
 
+GridMap grid_over(const Settings& settings, float cell) {
+  const float spacing = settings.fluid.spacing;
+  Box box = reach_of(settings);
+  for (const Emitter& emitter : settings.fluid.emitters) {
+    const Box nozzle = Nozzle(emitter, spacing).bounds();
+    box = {glm::min(box.min, nozzle.min), glm::max(box.max, nozzle.max)};
+  }
+  return GridMap::over(from_glm(box.min - spacing), from_glm(box.max + spacing), cell);
+}
+
 FluidConstants constants_of(const FluidSettings& fluid) {
   const float radius = 2 * fluid.spacing;
   const CubicKernel kernel(radius);
@@ -67,6 +80,8 @@ float default_speed_of_sound(const Settings& settings, const InitialParticles& i
     speed = std::max(speed, glm::length(v));
   for (const Obstacle& obstacle : settings.obstacles)
     speed = std::max(speed, fastest_speed(obstacle));
+  for (const Emitter& emitter : settings.fluid.emitters)
+    speed = std::max(speed, emitter.speed);
   float acceleration = glm::length(settings.forces.gravity);
   for (const AccelerationKey& k : settings.forces.body)
     acceleration += glm::length(k.acceleration);

@@ -16,6 +16,10 @@ struct InitialParticles {
 };
 InitialParticles fill_volumes(const Settings& settings);
 
+struct GridMap;
+/// The grid of all places where particles may be. @param cell edge of a cell, m
+GridMap grid_over(const Settings& settings, float cell);
+
 struct FluidConstants;
 FluidConstants constants_of(const FluidSettings& fluid);
 

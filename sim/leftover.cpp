@@ -27,16 +27,18 @@ constexpr double full_rate_time = 0.04, least_rate = 0.5;
 
 }  // namespace
 
-void Leftover::note(Executor& executor, Particles& particles, bool after_a_step) {
+void Leftover::note(Executor& executor, Particles& particles, const float* held,
+                    bool after_a_step) {
   const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
   float* compression = particles.compression.resized(particles.count);
   const auto total =
       executor.reduce<Compression>("leftover", particles.count, [=](std::uint32_t i) {
-        const float c = ratio[i] - 1, above = std::max(0.f, c);
+        const bool carried = held != nullptr && held[i] > 0;
+        const float c = carried ? 0 : ratio[i] - 1, above = std::max(0.f, c);
         compression[i] = pressure[i] > 0 ? c : above;
         return Compression{above, above};
       });
-  const double mean = total.sum / particles.count;
+  const double mean = total.sum / std::max(1u, particles.count);
   // What steps add within their tolerance must not add up.
   left_to_release_ = after_a_step && overlapping_ ? std::min(mean, kept_ * left_to_release_) : mean;
   share_ = mean > 0 ? left_to_release_ / mean : 1;

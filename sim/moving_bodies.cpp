@@ -21,12 +21,6 @@ float deep_in(const Shape& shape, const Vec3<float>& p) {
   return square_root(dot(push, push));
 }
 
-float beyond(const DomainSettings& domain, const Vec3<float>& p) {
-  const glm::vec3 q(p.x, p.y, p.z);
-  const glm::vec3 out = glm::max(domain.min - q, q - domain.max);
-  return std::max({out.x, out.y, out.z});
-}
-
 template <class Kernel>
 Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c, const Kernel& kernel,
                            const Vec3Arrays& position, const float* pressure,
@@ -54,7 +48,7 @@ Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& kernel,
 }  // namespace
 
 MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary)
-    : settings_(settings), map_(map), boundary_(boundary) {
+    : settings_(settings), domain_(settings.domain), map_(map), boundary_(boundary) {
   const bool all_the_fluids = boundary.wall_viscosities() == nullptr;
   for (std::uint32_t b = 0; b < boundary.count(); ++b) {
     samples_.push_back(boundary.sample(b));
@@ -98,7 +92,7 @@ bool MovingBodies::is_covered(const Vec3<float>& p, int owner) const {
       return true;
   if (owner == fixed)
     return false;
-  if (beyond(settings_.domain, p) > layer + margin)
+  if (domain_.beyond(p) > layer + margin)
     return true;
   for (const Obstacle& obstacle : settings_.obstacles)
     if (!obstacle.motion && deep_in(obstacle.shape, p) > layer + margin)
@@ -149,7 +143,7 @@ bool MovingBodies::may_meet_another(std::size_t sample, const Vec3<float>& p) co
       return true;
   if (owners_[sample] == fixed)
     return false;
-  if (beyond(settings_.domain, p) > -reach)
+  if (domain_.beyond(p) > -reach)
     return true;
   for (const Obstacle& obstacle : settings_.obstacles)
     if (!obstacle.motion && near(bounds_of(obstacle.shape), p))

@@ -23,6 +23,13 @@ class MovingBodies {
   /// @param boundary the samples of what is fixed; this object puts the others among them
   MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary);
 
+  /// Changes how much a sample of what is fixed stands for, from the next time on that samples are
+  /// put where they are. @param b its number in the boundary that this object was made with
+  void set_sample(std::uint32_t b, float volume, float solid) {
+    samples_[b].volume = volume;
+    samples_[b].solid = solid;
+  }
+
   /// Puts the samples where the bodies are at the end of a step, s.
   void place(Executor& executor, double start, double end);
 
@@ -49,6 +56,7 @@ class MovingBodies {
   void keep_pressures();
 
   Settings settings_;
+  Inside domain_;
   GridMap map_;
   Boundary& boundary_;
   std::vector<PosedBody> bodies_;

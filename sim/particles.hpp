@@ -76,7 +76,7 @@ struct Particles {
   VectorField position;  ///< m
   VectorField velocity;  ///< m/s, over the last step (leapfrog: at the middle of that step)
   ScalarField pressure;  ///< Pa, of the last step
-  std::vector<std::uint32_t> ids;  ///< number in the initial lattice
+  std::vector<std::uint32_t> ids;  ///< never used twice
   /// ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there is pressure. Only
   /// with a solver that corrects it; empty else.
   ScalarField compression;

@@ -124,6 +124,11 @@ class Pcisph : public PressureSolver {
     const float dt2 = s.time_step * s.time_step;
     const Largest squared_move =
         s.executor.reduce<Largest>("pressure acceleration", p.count, [&](std::uint32_t i) {
+          if (s.is_held(i)) {
+            acceleration.set(i, {0, 0, 0});
+            corrected.set(i, drifted[i]);
+            return Largest{};
+          }
           const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
                                                       pressure, s.neighbours, s.boundary);
           acceleration.set(i, a);
@@ -144,6 +149,8 @@ class Pcisph : public PressureSolver {
     return s.executor.reduce<Residual>("predict density", p.count, [&](std::uint32_t i) {
       ratio[i] =
           density_ratio(i, s.constants, density_kernel_, corrected, s.neighbours, s.boundary);
+      if (s.is_held(i))
+        return Residual{};
       const float wanted = compression_of(s, i);
       const float compression = std::max(0.f, s.overlapping ? wanted : ratio[i] - 1.f);
       const float releasable = std::min(-wanted, pressure[i] / delta);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/contact.hpp"
+#include "sim/open_faces.hpp"
 #include "sim/shapes.hpp"
 
 namespace spindrift::sim {
@@ -66,13 +67,30 @@ void lift_off(float push, float out, float low, float high, float lift, float& c
 
 }  // namespace
 
+Inside::Inside(const DomainSettings& domain)
+    : min{domain.min.x, domain.min.y, domain.min.z}, max{domain.max.x, domain.max.y, domain.max.z} {
+  constexpr float never = OpenFaces::never;
+  const OpenFaces open(domain);
+  const auto remove = [](float& low, float& high, float open_low, float open_high) {
+    low = open_low > -never ? -never : low;
+    high = open_high < never ? never : high;
+  };
+  remove(min.x, max.x, open.min.x, open.max.x);
+  remove(min.y, max.y, open.min.y, open.max.y);
+  remove(min.z, max.z, open.min.z, open.max.z);
+}
+
+float Inside::beyond(const Vec3<float>& p) const {
+  return std::max({min.x - p.x, min.y - p.y, min.z - p.z, p.x - max.x, p.y - max.y, p.z - max.z});
+}
+
 Vec3<float> Inside::nudged(const Vec3<float>& p, float distance) const {
   return {std::clamp(p.x, min.x + distance, max.x - distance),
           std::clamp(p.y, min.y + distance, max.y - distance),
           std::clamp(p.z, min.z + distance, max.z - distance)};
 }
 
-Vec3<float> PosedBody::hold(const Vec3<float>& p, const Inside& domain) const {
+Vec3<float> PosedBody::hold(const Vec3<float>& p) const {
   const Vec3<float> inner = domain.nudged(p, nudge * spacing);
   const Vec3<float> q = pose.back(inner);
   if (!overlap(q, q, bounds, 0))
@@ -96,8 +114,7 @@ Vec3<float> PosedBody::hold(const Vec3<float>& p, const Inside& domain) const {
   return inner + shortest;
 }
 
-Vec3<float> PosedBody::sweep(const Vec3<float>& from, const Vec3<float>& p,
-                             const Inside& domain) const {
+Vec3<float> PosedBody::sweep(const Vec3<float>& from, const Vec3<float>& p) const {
   constexpr float most_pieces = 1000;
   const Vec3<float> first = start.back(from), last = pose.back(p);
   const Vec3<float> low{std::min(first.x, last.x), std::min(first.y, last.y),
@@ -113,7 +130,7 @@ Vec3<float> PosedBody::sweep(const Vec3<float>& from, const Vec3<float>& p,
   bool held = false;
   for (int k = 0; k < static_cast<int>(pieces); ++k) {
     q = q + piece;
-    const Vec3<float> free = pose(q), out = hold(free, domain);
+    const Vec3<float> free = pose(q), out = hold(free);
     if (is_zero(out - free))
       continue;
     held = true;
@@ -122,7 +139,7 @@ Vec3<float> PosedBody::sweep(const Vec3<float>& from, const Vec3<float>& p,
   return held ? pose(q) : p;
 }
 
-bool PosedBody::holds(const Vec3<float>& p, const Inside& domain) const {
+bool PosedBody::holds(const Vec3<float>& p) const {
   return !is_zero(shortest_push(*this, domain.nudged(p, nudge * spacing)));
 }
 
@@ -137,6 +154,7 @@ float PosedBody::depth(const Vec3<float>& p) const {
 std::vector<PosedBody> posed_bodies(const Settings& settings, double start, double end) {
   std::vector<PosedBody> bodies;
   const float spacing = settings.fluid.spacing;
+  const Inside domain(settings.domain);
   for (const Obstacle& obstacle : settings.obstacles) {
     if (!obstacle.motion)
       continue;
@@ -144,6 +162,7 @@ std::vector<PosedBody> posed_bodies(const Settings& settings, double start, doub
     PosedBody body;
     body.shape = &obstacle.shape;
     body.bounds = bounds_of(obstacle.shape);
+    body.domain = domain;
     body.start = affine(before.rotation, before.translation);
     body.pose = affine(after.rotation, after.translation);
     const double per_second = end > start ? 1 / (end - start) : 0;

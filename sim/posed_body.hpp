@@ -24,33 +24,40 @@ struct Affine {
   }
 };
 
-/// Inner faces of the domain, m.
+/// Inner faces of the domain, m; infinitely far away where a face is open.
 struct Inside {
   Vec3<float> min, max;
 
+  Inside() = default;
+  explicit Inside(const DomainSettings& domain);
+
   /// The nearest point at least a distance (m) away from every face.
   Vec3<float> nudged(const Vec3<float>& p, float distance) const;
+
+  /// How far beyond the farthest of the faces that it is beyond a point is, m; negative inside.
+  float beyond(const Vec3<float>& p) const;
 };
 
 struct PosedBody {
   const Shape* shape = nullptr;  ///< where the scene puts it
   Box bounds;                    ///< of the shape, m
-  Affine start, pose;            ///< to where it is at the start and at the end of the step
-  Affine velocity;               ///< from the shape's points to their mean velocity over it, m/s
-  float spacing = 0;             ///< of the particles, m
-  float reach = 0;  ///< how far a particle may go at once, so that it does not pass the body, m
+  Inside domain;
+  Affine start, pose;  ///< to where it is at the start and at the end of the step
+  Affine velocity;     ///< from the shape's points to their mean velocity over it, m/s
+  float spacing = 0;   ///< of the particles, m
+  float reach = 0;     ///< how far a particle may go at once, so that it does not pass the body, m
 
   /// The point itself, or, for one in the body at its end, one on its surface that is inside the
   /// domain: the body may lie flush against a wall, or stick out through it. There the nearest
   /// point of the surface can be in the wall.
-  Vec3<float> hold(const Vec3<float>& p, const Inside& domain) const;
+  Vec3<float> hold(const Vec3<float>& p) const;
 
   /// The same for a particle that comes from `from`: it does not pass the body, however fast both
   /// are. In the body's frame it goes a straight way, in short pieces.
-  Vec3<float> sweep(const Vec3<float>& from, const Vec3<float>& p, const Inside& domain) const;
+  Vec3<float> sweep(const Vec3<float>& from, const Vec3<float>& p) const;
 
   /// Whether a point, or, for one on a wall, a point just off it, is in the body at its end.
-  bool holds(const Vec3<float>& p, const Inside& domain) const;
+  bool holds(const Vec3<float>& p) const;
 
   /// How deep below the surface a point is, m; 0 outside.
   float depth(const Vec3<float>& p) const;

@@ -54,6 +54,34 @@ struct Volume {
   glm::vec3 velocity{0.f};  ///< initial velocity, m/s
 };
 
+/// A round opening that liquid enters through.
+struct Disc {
+  glm::vec3 center{0.f};              ///< m
+  glm::vec3 direction{0.f, -1, 0.f};  ///< the way the liquid goes, at right angles to the opening
+  float radius = 0.1f;                ///< m
+};
+
+/// A rectangular one.
+struct Rectangle {
+  glm::vec3 center{0.f};              ///< m
+  glm::vec3 direction{0.f, -1, 0.f};  ///< the way the liquid goes, at right angles to the opening
+  glm::vec3 up{0.f, 1.f, 0.f};        ///< along its height, as far as that is across the direction
+  float width = 0.2f;                 ///< m
+  float height = 0.2f;                ///< m
+};
+
+using Opening = std::variant<Disc, Rectangle>;
+
+/// Liquid that enters the domain: area times speed in volume. It is carried through a nozzle, four
+/// spacings long, that ends at the opening, and is free from there on.
+struct Emitter {
+  Opening opening = Disc{};
+  float speed = 1.f;      ///< m/s
+  float from = 0.f;       ///< when the first liquid comes out, s
+  float to = 1e5f;        ///< when it ends, s
+  int max_particles = 0;  ///< it ends after this many as well, whole layers; 0: any number
+};
+
 struct FluidSettings {
   float spacing =
       0.025f;  ///< distance between particle centres at rest, m; support radius is 2 spacings
@@ -62,12 +90,21 @@ struct FluidSettings {
   float wall_viscosity = 0.f;  ///< with which walls and obstacles hold the liquid back, Pa·s; 0: it
                                ///< slips, the liquid's own viscosity: it sticks
   std::vector<Volume> volumes{{Box{{0.f, 0.f, 0.f}, {1.f, 1.f, 0.8f}}, glm::vec3{0.f}}};
+  std::vector<Emitter> emitters = {};
 };
 
-/// The closed box that holds the liquid; its inner faces.
+enum class Direction { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
+
+/// The box that holds the liquid; its inner faces.
 struct DomainSettings {
-  glm::vec3 min{0.f};               ///< m
-  glm::vec3 max{3.2f, 2.0f, 0.8f};  ///< m
+  glm::vec3 min{0.f};                ///< m
+  glm::vec3 max{3.2f, 2.0f, 0.8f};   ///< m
+  std::vector<Direction> open = {};  ///< faces without a wall, by the way out through them
+};
+
+/// Particles that come into it are taken away.
+struct Sink {
+  Shape shape = Box{};
 };
 
 /// One key of a body's way, relative to where the scene puts it.
@@ -146,8 +183,14 @@ struct Settings {
   FluidSettings fluid;
   DomainSettings domain;
   std::vector<Obstacle> obstacles;
+  std::vector<Sink> sinks;
   ForceSettings forces;
   SolverSettings solver;
+
+  /// Whether particles come or go during a run.
+  bool exchanges_particles() const {
+    return !fluid.emitters.empty() || !sinks.empty() || !domain.open.empty();
+  }
 };
 
 }  // namespace spindrift::sim

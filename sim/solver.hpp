@@ -19,13 +19,16 @@ struct StepContext {
   const CellGrid* grid;  ///< the cells that the particles are sorted by
   const GridMap* map;
   ContactView contact;
-  float time_step;  ///< Δt, s
-  int refusals;     ///< how often this step has been tried with a larger Δt
+  const float* held;  ///< 1: a nozzle moves the particle, and nothing else; null: none
+  float time_step;    ///< Δt, s
+  int refusals;       ///< how often this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
   const float* excess;  ///< compression that a particle may keep in this step; null: none
   float rate;           ///< part of the tolerance that a step as short as this may add
   bool overlapping;  ///< the particles start far too dense; only what goes beyond `excess` counts
   float densest;     ///< largest density ratio at the start of the step where that is far above 1
+
+  bool is_held(std::uint32_t i) const { return held != nullptr && held[i] > 0; }
 };
 
 struct StepResult {
@@ -35,7 +38,8 @@ struct StepResult {
 };
 
 /// Leaves `acceleration` (by pressure), `step_pressure` and `corrected_position` such that
-///   corrected position = contact(drifted position + Δt² acceleration).
+///   corrected position = contact(drifted position + Δt² acceleration),
+/// and, of a particle that is held, the drifted position, with no acceleration.
 class PressureSolver {
  public:
   virtual ~PressureSolver() = default;

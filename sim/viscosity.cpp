@@ -42,7 +42,9 @@ bool Viscosity::apply(const StepContext& s) {
   const float dt = s.time_step;
   const ContactView walls = s.contact;
   const Largest squared_move =
-      s.executor.reduce<Largest>("apply viscosity", n, [=](std::uint32_t i) {
+      s.executor.reduce<Largest>("apply viscosity", n, [=, &s](std::uint32_t i) {
+        if (s.is_held(i))
+          return Largest{};
         const Vec3<float> change = dv[i], move = dt * change;
         v.set(i, v[i] + change);
         x.set(i, walls.resolve(x[i] + move));
@@ -51,14 +53,21 @@ bool Viscosity::apply(const StepContext& s) {
   return std::sqrt(squared_move.value) > largest_move * support_radius_;
 }
 
+/// What a nozzle moves is not slowed by its neighbours.
+Vec3<float> Viscosity::acceleration(std::uint32_t i, const StepContext& s,
+                                    const BoundaryView& walls, const Vec3Arrays& x,
+                                    const Vec3Arrays& v) const {
+  return s.is_held(i) ? Vec3<float>{0, 0, 0}
+                      : viscous_acceleration(i, s.constants, kernel_, x, v, s.neighbours, walls);
+}
+
 /// Leaves the change of velocity in `acceleration`.
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
   const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
                    dv = p.acceleration.view();
   s.executor.for_each("viscosity", p.count, [&](std::uint32_t i) {
-    dv.set(i, s.time_step *
-                  viscous_acceleration(i, s.constants, kernel_, x, v, s.neighbours, s.boundary));
+    dv.set(i, s.time_step * acceleration(i, s, s.boundary, x, v));
   });
 }
 
@@ -95,9 +104,7 @@ void Viscosity::implicit_step(const StepContext& s) {
                          [&](std::uint32_t i) {
                            const Vec3<float> d = direction[i];
                            const Vec3<float> a =
-                               d - s.time_step * viscous_acceleration(i, s.constants, kernel_, x,
-                                                                      direction, s.neighbours,
-                                                                      walls);
+                               d - s.time_step * acceleration(i, s, walls, x, direction);
                            image.set(i, a);
                            return Sum{double{dot(a, d)}};
                          })

@@ -18,6 +18,8 @@ class Viscosity {
   std::size_t memory_bytes() const { return residual_.memory_bytes() + image_.memory_bytes(); }
 
  private:
+  Vec3<float> acceleration(std::uint32_t i, const StepContext& s, const BoundaryView& walls,
+                           const Vec3Arrays& x, const Vec3Arrays& v) const;
   void explicit_step(const StepContext& s);
   void implicit_step(const StepContext& s);
 

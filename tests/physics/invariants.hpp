@@ -82,6 +82,7 @@ class InvariantsWatch {
         {settings_.domain.max.x, settings_.domain.max.y, settings_.domain.max.z},
         fixed_.obstacles.data(),
         fixed_.obstacles.size(),
+        sim::OpenFaces(settings_.domain),
         bodies};
     const std::size_t n = frame.positions.size();
     std::vector<bool> seen(n, false);
