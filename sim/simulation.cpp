@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "sim/initial.hpp"
@@ -11,6 +12,7 @@
 #include "sim/neighbourhood.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/shapes.hpp"
+#include "sim/surface_tension.hpp"
 #include "sim/time_step.hpp"
 #include "sim/viscosity.hpp"
 #include "sim/wcsph.hpp"
@@ -49,6 +51,7 @@ struct Simulation::Impl {
   float max_speed = 0;
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
+  std::optional<SurfaceTension> surface_tension;
   Viscosity viscosity;
   Leftover leftover;
 
@@ -61,9 +64,12 @@ struct Simulation::Impl {
         boundary(s, map, constants.support_radius),
         neighbourhood(map, boundary),
         solver(make_solver(initial)),
-        time_step(s.solver, constants, solver->time_step_limit()),
+        time_step(s.solver, constants,
+                  std::min(solver->time_step_limit(), SurfaceTension::time_step_limit(constants))),
         viscosity(constants),
         leftover(s.solver, constants.support_radius) {
+    if (constants.surface_tension > 0)
+      surface_tension.emplace(constants);
     if (initial.positions.empty())
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing");
@@ -128,6 +134,8 @@ struct Simulation::Impl {
     for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
       drift(dt);
       find_neighbours();
+      if (surface_tension && surface_tension->apply(context_of(dt, refusals, nullptr)))
+        find_neighbours();
       if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
         find_neighbours();
       const StepContext context = context_of(dt, refusals, allowed_leftover(dt, refusals));
@@ -312,7 +320,8 @@ std::size_t Simulation::boundary_particle_count() const {
 std::size_t Simulation::memory_bytes() const {
   return impl_->particles.memory_bytes() + impl_->neighbourhood.memory_bytes() +
          impl_->boundary.memory_bytes() + impl_->solver->memory_bytes() +
-         impl_->viscosity.memory_bytes();
+         impl_->viscosity.memory_bytes() +
+         (impl_->surface_tension ? impl_->surface_tension->memory_bytes() : 0);
 }
 
 std::vector<PhaseTime> Simulation::phase_times() const {
