@@ -72,7 +72,8 @@ void require_finite(const sim::FrameStatistics& s) {
       throw std::runtime_error("positions or velocities are not finite");
 }
 
-/// @param given_energy that of the start, and what has come in since less what has gone, J
+/// @param given_energy that of the start, and what has come in since less what has gone, and what
+/// moving obstacles have given, J
 void add_frame(const sim::FrameStatistics& s, double given_energy, Measurement& m) {
   require_finite(s);
   m.steps += s.steps;
@@ -105,6 +106,7 @@ void simulate_once(const BenchRun& run, Measurement& m) {
     m.particles = std::max(m.particles, simulation.particle_count());
     m.simulation_bytes = std::max<std::uint64_t>(m.simulation_bytes, simulation.memory_bytes());
     given_energy += statistics.exchange.energy_in - statistics.exchange.energy_out;
+    given_energy += std::max(0., statistics.wall_work);
     if (frame <= run.warm_up_frames)
       continue;
     add_frame(statistics, given_energy, m);

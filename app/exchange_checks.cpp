@@ -8,6 +8,7 @@
 
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
+#include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
 #include "sim/shapes.hpp"
 
@@ -15,6 +16,7 @@ namespace spindrift::app {
 namespace {
 
 constexpr float least_width = 2.f;  // particle spacings
+constexpr int nozzle_layers = 4;    // about a spacing apart
 
 std::string text_of(const glm::vec3& v) {
   return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
@@ -66,11 +68,39 @@ std::optional<Complaint> check_place(const sim::Settings& s, const sim::Opening&
                                          "{} ... {}; move center or turn direction",
                                          text_of(p), text_of(s.domain.min), text_of(s.domain.max))};
     for (std::size_t k = 0; k < s.obstacles.size(); ++k)
-      if (sim::is_inside(s.obstacles[k].shape, p))
+      if (!s.obstacles[k].motion && sim::is_inside(s.obstacles[k].shape, p))
         return Complaint{path, fmt::format("the particle that comes out at {} is inside "
                                            "obstacles[{}]; move center out of it",
                                            text_of(p), k)};
   }
+  return std::nullopt;
+}
+
+/// A nozzle may lie in a fixed obstacle, whose samples it opens; one that moves must stay out of
+/// it.
+std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitter,
+                                   const std::string& path) {
+  const sim::Settings& s = scene.simulation;
+  const sim::Nozzle nozzle(emitter, s.fluid.spacing);
+  const std::vector<glm::vec3> points = sim::fill_opening(emitter.opening, s.fluid.spacing).points;
+  const glm::vec3 step = s.fluid.spacing * sim::direction_of(emitter.opening);
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k)
+    for (int frame = 0; s.obstacles[k].motion && frame <= scene.video.frame_count(); ++frame) {
+      const double time = static_cast<double>(frame) / scene.video.frames_per_second;
+      if (!(nozzle.closed_part(time) < 1))
+        continue;
+      const sim::Pose pose = sim::pose_at(s.obstacles[k], time);
+      const glm::dmat3 back = glm::transpose(pose.rotation);
+      for (const glm::vec3& point : points)
+        for (int layer = -nozzle_layers; layer <= 1; ++layer) {
+          const glm::dvec3 p(point + static_cast<float>(layer) * step);
+          if (sim::is_inside(s.obstacles[k].shape, glm::vec3(back * (p - pose.translation))))
+            return Complaint{path, fmt::format("obstacles[{}], which moves, is in the nozzle, four "
+                                               "spacings behind the opening, at {:g} s; move "
+                                               "either out of the other's way",
+                                               k, time)};
+        }
+    }
   return std::nullopt;
 }
 
@@ -87,6 +117,8 @@ std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& e
     return Complaint{child_path(path, "to"),
                      fmt::format("{:g} s is not after from ({:g} s)", emitter.to, emitter.from)};
   if (auto wrong = check_place(s, emitter.opening, opening_path))
+    return wrong;
+  if (auto wrong = check_way(scene, emitter, opening_path))
     return wrong;
   const sim::Nozzle nozzle(emitter, s.fluid.spacing);
   if (nozzle.layer_count() > 0)

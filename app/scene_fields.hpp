@@ -197,6 +197,12 @@ inline constexpr auto table<sim::FluidSettings> = std::tuple{
           "it "
           "sticks (no-slip)",
           Range{0., 1e4}, "Pa·s"},
+    Field{"surface_tension", &sim::FluidSettings::surface_tension,
+          "surface tension against the air; 0: none; water has 0.072", Range{0., 1e4}, "N/m"},
+    Field{"contact_angle", &sim::FluidSettings::contact_angle,
+          "angle at which liquid with surface tension meets walls and obstacles; 180: they are as "
+          "air to it",
+          Range{90., 180.}, "degrees"},
     Field{"volumes", &sim::FluidSettings::volumes,
           "regions filled with liquid at the start; a box's outermost particle centres lie half a "
           "spacing inside its faces; none if there are only emitters"},

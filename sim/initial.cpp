@@ -64,7 +64,9 @@ FluidConstants constants_of(const FluidSettings& fluid) {
           .rest_density = fluid.rest_density,
           .volume = static_cast<float>(1 / lattice_kernel_sum(kernel, fluid.spacing, radius)),
           .viscosity = fluid.viscosity,
-          .wall_viscosity = fluid.wall_viscosity};
+          .wall_viscosity = fluid.wall_viscosity,
+          .surface_tension = fluid.surface_tension,
+          .contact_angle = fluid.contact_angle};
 }
 
 float largest_wall_viscosity(const Settings& settings) {
@@ -89,7 +91,9 @@ float default_speed_of_sound(const Settings& settings, const InitialParticles& i
   const glm::vec3 down = glm::abs(settings.forces.gravity);
   const float height =
       glm::length(down) > 0 ? glm::dot(size, down) / glm::length(down) : glm::length(size);
-  return 10 * std::max(std::sqrt(speed * speed + 2 * acceleration * height), 1e-3f);
+  const FluidSettings& fluid = settings.fluid;
+  const float capillary = 2 * fluid.surface_tension / (fluid.rest_density * fluid.spacing);
+  return 10 * std::max(std::sqrt(speed * speed + 2 * acceleration * height + capillary), 1e-3f);
 }
 
 }  // namespace spindrift::sim

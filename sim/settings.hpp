@@ -89,6 +89,9 @@ struct FluidSettings {
   float viscosity = 0.01f;      ///< dynamic viscosity, Pa·s
   float wall_viscosity = 0.f;  ///< with which walls and obstacles hold the liquid back, Pa·s; 0: it
                                ///< slips, the liquid's own viscosity: it sticks
+  float surface_tension = 0.f;  ///< σ against the air, N/m; 0: none
+  float contact_angle = 90.f;   ///< at which liquid that has surface tension meets walls and
+                                ///< obstacles, degrees; 180: they are as air to it
   std::vector<Volume> volumes{{Box{{0.f, 0.f, 0.f}, {1.f, 1.f, 0.8f}}, glm::vec3{0.f}}};
   std::vector<Emitter> emitters = {};
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "sim/particle_state.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/settle.hpp"
+#include "sim/surface_tension.hpp"
 #include "sim/time_step.hpp"
 #include "sim/viscosity.hpp"
 #include "sim/walls.hpp"
@@ -57,6 +59,7 @@ struct Simulation::Impl {
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
   double drift_impulse = 0;  ///< as Moved::wall_impulse
+  std::optional<SurfaceTension> surface_tension;
   Viscosity viscosity;
   Leftover leftover;
   Inflow inflow;
@@ -70,11 +73,14 @@ struct Simulation::Impl {
         walls(s, map, constants.support_radius),
         neighbourhood(map, walls.boundary()),
         solver(make_solver(initial)),
-        time_step(s.solver, constants, solver->time_step_limit()),
+        time_step(s.solver, constants,
+                  std::min(solver->time_step_limit(), SurfaceTension::time_step_limit(constants))),
         viscosity(constants, largest_wall_viscosity(s)),
         leftover(s.solver, constants.support_radius),
         inflow(s, constants, static_cast<std::uint32_t>(initial.positions.size())),
         outflow(s, constants) {
+    if (constants.surface_tension > 0)
+      surface_tension.emplace(constants);
     if (initial.positions.empty() && !inflow.exists())
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
@@ -158,6 +164,8 @@ struct Simulation::Impl {
       walls.move(executor, time, time + dt);
       drift(dt);
       find_neighbours();
+      if (surface_tension && surface_tension->apply(context_of(dt, refusals, nullptr)))
+        find_neighbours();
       if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
         find_neighbours();
       const StepContext context = context_of(dt, refusals, allowed_leftover(dt, refusals));
@@ -363,7 +371,8 @@ std::size_t Simulation::boundary_particle_count() const {
 std::size_t Simulation::memory_bytes() const {
   return impl_->particles.memory_bytes() + impl_->neighbourhood.memory_bytes() +
          impl_->walls.memory_bytes() + impl_->solver->memory_bytes() +
-         impl_->viscosity.memory_bytes();
+         impl_->viscosity.memory_bytes() +
+         (impl_->surface_tension ? impl_->surface_tension->memory_bytes() : 0);
 }
 
 std::vector<PhaseTime> Simulation::phase_times() const {

@@ -139,6 +139,10 @@ TEST_CASE("a frame of the fountain is the golden one", "[slow]") {
   check(entries().at(7));
 }
 
+TEST_CASE("a frame of the weightless drops is the golden one", "[slow]") {
+  check(entries().at(7));
+}
+
 TEST_CASE("a moved light, a missing obstacle and a weaker gravity are seen", "[slow]") {
   const fs::path golden_file = source / "tests/golden/scenes/dam_break.png";
   REQUIRE(fs::exists(golden_file));

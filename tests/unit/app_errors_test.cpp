@@ -168,6 +168,8 @@ const std::vector<Case> wrong_together{
      {"emitters[0].rectangle.up: [0, 1, 0] is along the direction [0, -1, 0]"}},
     {R"({"obstacles": [{"sphere": {"center": [1,1,0.4], "radius": 0.2}}], "fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}}]}})",
      {"emitters[0].disc: the particle that comes out at", "inside obstacles[0]"}},
+    {R"({"obstacles": [{"box": {"min": [0.5,1.5,0.2], "max": [1.5,1.6,0.6]}, "motion": {"keyframes": [{"time": 1}, {"time": 2, "translate": [0,-0.5,0]}]}}], "fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}}]}})",
+     {"emitters[0].disc: obstacles[0], which moves, is in the nozzle", "at 1.7"}},
     {R"({"video": {"duration": 20}, "fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.3}, "speed": 1000}]}})",
      {"fluid.spacing", "at most 2e+08"}},
     {R"({"domain": {"open": ["+y", "-x", "+y"]}})",
