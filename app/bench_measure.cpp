@@ -72,7 +72,9 @@ void require_finite(const sim::FrameStatistics& s) {
       throw std::runtime_error("positions or velocities are not finite");
 }
 
-void add_frame(const sim::FrameStatistics& s, double start_energy, Measurement& m) {
+/// @param given_energy that of the start, and what has come in since less what has gone, and what
+/// moving obstacles have given, J
+void add_frame(const sim::FrameStatistics& s, double given_energy, Measurement& m) {
   require_finite(s);
   m.steps += s.steps;
   m.rejected_steps += s.rejected_steps;
@@ -80,9 +82,9 @@ void add_frame(const sim::FrameStatistics& s, double start_energy, Measurement& 
   m.mean_compression = std::max(m.mean_compression, s.mean_compression);
   m.max_compression = std::max(m.max_compression, s.max_compression);
   m.max_speed = std::max(m.max_speed, s.max_speed);
-  if (start_energy > 0)
+  if (given_energy > 0)
     m.energy_ratio =
-        std::max(m.energy_ratio, (s.kinetic_energy + s.potential_energy) / start_energy);
+        std::max(m.energy_ratio, (s.kinetic_energy + s.potential_energy) / given_energy);
 }
 
 /// From the start to the scene's full duration, frame by frame.
@@ -93,6 +95,7 @@ void simulate_once(const BenchRun& run, Measurement& m) {
   m.particles = simulation.particle_count();
   m.boundary_particles = simulation.boundary_particle_count();
   const sim::FrameStatistics start = simulation.advance_to(0);
+  double given_energy = start.kinetic_energy + start.potential_energy;
   for (int frame = 1; frame <= video.frame_count(); ++frame) {
     const Clock::time_point before = Clock::now();
     const auto statistics =
@@ -100,10 +103,13 @@ void simulate_once(const BenchRun& run, Measurement& m) {
     if (out_of_time)
       throw std::runtime_error(fmt::format("not done within {:g} s", run.limit_seconds));
     const std::chrono::duration<double> spent = Clock::now() - before;
+    m.particles = std::max(m.particles, simulation.particle_count());
     m.simulation_bytes = std::max<std::uint64_t>(m.simulation_bytes, simulation.memory_bytes());
+    given_energy += statistics.exchange.energy_in - statistics.exchange.energy_out;
+    given_energy += std::max(0., statistics.wall_work);
     if (frame <= run.warm_up_frames)
       continue;
-    add_frame(statistics, start.kinetic_energy + start.potential_energy, m);
+    add_frame(statistics, given_energy, m);
     m.wall_seconds += spent.count();
     m.simulated_seconds += 1. / video.frames_per_second;
   }

@@ -87,6 +87,25 @@ sim::Shape placed(const sim::Shape& shape, const Tile& tile) {
   return sim::Cylinder{tile(cylinder.from), tile(cylinder.to), cylinder.radius};
 }
 
+sim::Obstacle placed(const sim::Obstacle& obstacle, const Tile& tile) {
+  sim::Obstacle result = obstacle;
+  result.shape = placed(obstacle.shape, tile);
+  if (!result.motion)
+    return result;
+  // A mirror turns directions around, and angles about the directions that it leaves as they are.
+  const glm::vec3 d = tile.direction, angles = d.x * d.y * d.z * d;
+  const auto mirror = [&](auto& part) {
+    part.translate *= d;
+    part.rotate *= angles;
+  };
+  result.motion->pivot = tile(obstacle.motion->pivot);
+  std::for_each(result.motion->keyframes.begin(), result.motion->keyframes.end(), mirror);
+  std::for_each(result.motion->oscillations.begin(), result.motion->oscillations.end(), mirror);
+  if (result.motion->spin)
+    result.motion->spin->axis *= angles;
+  return result;
+}
+
 /// The scaling runs show what a particle and a step cost as the liquid grows. For that, the work a
 /// particle makes must stay the same: the built-in dam break is repeated side by side at the same
 /// spacing, every other copy mirrored. By symmetry its neighbours do to a copy what its walls did,
@@ -178,7 +197,7 @@ Scene tiled(const Scene& scene, int count) {
       for (const sim::Volume& volume : one.fluid.volumes)
         all.fluid.volumes.push_back({placed(volume.shape, tile), direction * volume.velocity});
       for (const sim::Obstacle& obstacle : one.obstacles)
-        all.obstacles.push_back({placed(obstacle.shape, tile)});
+        all.obstacles.push_back(placed(obstacle, tile));
     }
   return result;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/keyframes.hpp"
+
 namespace spindrift::app {
 namespace {
 
@@ -66,12 +68,6 @@ gl::View view_of(const Numbers& n) {
   return view;
 }
 
-/// Slope at a key from the slopes of the spans before and after it: their harmonic mean, 0 at a
-/// turning point, so that the curve stays between the keys.
-double key_slope(double before, double after) {
-  return before * after > 0. ? 2. * before * after / (before + after) : 0.;
-}
-
 }  // namespace
 
 gl::View view_at(const CameraSettings& camera, const sim::DomainSettings& domain, float aspect,
@@ -80,33 +76,10 @@ gl::View view_at(const CameraSettings& camera, const sim::DomainSettings& domain
   if (keys.empty()) {
     return frame_box(domain.min, domain.max, aspect);
   }
-  if (time <= keys.front().time) {
-    return view_of(numbers_of(keys.front()));
-  }
-  if (time >= keys.back().time) {
-    return view_of(numbers_of(keys.back()));
-  }
-  const auto next = std::upper_bound(keys.begin(), keys.end(), time,
-                                     [](double t, const CameraKey& k) { return t < k.time; });
-  const auto i = static_cast<std::size_t>(next - keys.begin()) - 1;
-
-  const double span = static_cast<double>(keys[i + 1].time) - keys[i].time;
-  const double s = (time - keys[i].time) / span;
-  const Numbers a = numbers_of(keys[i]), b = numbers_of(keys[i + 1]);
-  const auto slopes_of = [&](std::size_t k, std::size_t c) {  // of component c over span k
-    const double from = numbers_of(keys[k])[c], to = numbers_of(keys[k + 1])[c];
-    return (to - from) / (static_cast<double>(keys[k + 1].time) - keys[k].time);
-  };
-
+  const auto numbers = sim::numbers_at(keys, time, numbers_of, false);
   Numbers result{};
   for (std::size_t c = 0; c < result.size(); ++c) {
-    const double slope = slopes_of(i, c);
-    const double at_a = i == 0 ? 0. : key_slope(slopes_of(i - 1, c), slope);
-    const double at_b = i + 2 == keys.size() ? 0. : key_slope(slope, slopes_of(i + 1, c));
-    const double s2 = s * s, s3 = s2 * s;
-    const double value = (2. * s3 - 3. * s2 + 1.) * a[c] + (3. * s2 - 2. * s3) * b[c] +
-                         ((s3 - 2. * s2 + s) * at_a + (s3 - s2) * at_b) * span;
-    result[c] = static_cast<float>(value);
+    result[c] = static_cast<float>(numbers[c]);
   }
   return view_of(result);
 }

@@ -35,7 +35,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
     return done;
   }
   fmt::print("{}\n", to_text(resolved));
-  fmt::print("particles   {} of liquid, about {} on walls and obstacles\n", cost.particles,
+  const char* most = scene.simulation.exchanges_particles() ? "at most " : "";
+  fmt::print("particles   {}{} of liquid, about {} on walls and obstacles\n", most, cost.particles,
              cost.boundary_particles);
   fmt::print("pictures    {} of {}x{} pixels, {:g} s at {} per second\n", scene.video.frame_count(),
              scene.video.width, scene.video.height, scene.video.duration,

@@ -7,6 +7,8 @@
 
 #include "app/closed_surface.hpp"
 #include "sim/initial.hpp"
+#include "sim/motion.hpp"
+#include "sim/nozzle.hpp"
 #include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 
@@ -16,7 +18,7 @@ namespace {
 using std::numbers::pi;
 
 // Measured on ordinary scenes; rough by nature.
-constexpr double bytes_per_particle = 650.;  // its fields and its neighbour list
+constexpr double bytes_per_particle = 450.;  // its fields and its neighbour list
 constexpr double bytes_per_boundary_particle = 60.;
 constexpr double bytes_per_pixel = 80.;              // 4 samples of colour and depth, two copies
 constexpr double seconds_per_particle_step = 3e-6;   // of one thread
@@ -30,6 +32,12 @@ double likely_speed(const sim::Settings& settings) {
   double start = 0.;
   for (const sim::Volume& volume : settings.fluid.volumes) {
     start = std::max(start, static_cast<double>(glm::length(volume.velocity)));
+  }
+  for (const sim::Obstacle& obstacle : settings.obstacles) {
+    start = std::max(start, static_cast<double>(sim::fastest_speed(obstacle)));
+  }
+  for (const sim::Emitter& emitter : settings.fluid.emitters) {
+    start = std::max(start, static_cast<double>(emitter.speed));
   }
   return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
 }
@@ -86,10 +94,28 @@ double area(const sim::TriangleMesh& mesh) {
   return sum;
 }
 
+/// Particles that come out of emitters until a time, s, where nothing is in their way.
+std::size_t entered_until(const sim::Settings& settings, double time) {
+  std::size_t sum = 0;
+  for (const sim::Emitter& emitter : settings.fluid.emitters) {
+    const sim::Nozzle nozzle(emitter, settings.fluid.spacing);
+    sum += static_cast<std::size_t>(nozzle.entered(time)) * nozzle.layer_size();
+  }
+  return sum;
+}
+
 }  // namespace
 
 double shape_volume(const sim::Shape& shape) {
   return std::visit([](const auto& s) { return volume(s); }, shape);
+}
+
+double opening_area(const sim::Opening& opening) {
+  if (const auto* disc = std::get_if<sim::Disc>(&opening)) {
+    return pi * std::pow(static_cast<double>(disc->radius), 2);
+  }
+  const auto& rectangle = std::get<sim::Rectangle>(opening);
+  return static_cast<double>(rectangle.width) * rectangle.height;
 }
 
 double shape_area(const sim::Shape& shape) {
@@ -105,11 +131,13 @@ Estimate estimate(const Scene& scene, int threads) {
   }
 
   Estimate result;
-  result.particles = sim::fill_volumes(settings).positions.size();
+  const std::size_t first = sim::fill_volumes(settings).positions.size();
+  result.particles = first + entered_until(settings, scene.video.duration);
   result.boundary_particles = static_cast<std::size_t>(solid_area / (spacing * spacing));
-  const auto particles = static_cast<double>(result.particles);
+  const auto most = static_cast<double>(result.particles);
+  const double particles = 0.5 * (static_cast<double>(first) + most);  // over the time
   const double pixels = static_cast<double>(scene.video.width) * scene.video.height;
-  result.bytes = particles * bytes_per_particle +
+  result.bytes = most * bytes_per_particle +
                  static_cast<double>(result.boundary_particles) * bytes_per_boundary_particle +
                  pixels * bytes_per_pixel;
 

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/motion.hpp"
+#include "sim/shapes.hpp"
 #include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::app {
@@ -196,6 +198,58 @@ Mesh tessellate(std::span<const sim::Obstacle> obstacles) {
     std::visit([&](const auto& shape) { add(mesh, shape); }, obstacle.shape);
   }
   return mesh;
+}
+
+ObstacleMeshes::ObstacleMeshes(std::span<const sim::Obstacle> obstacles) : moves_(false) {
+  for (const sim::Obstacle& obstacle : obstacles) {
+    parts_.push_back({obstacle, tessellate({&obstacle, 1})});
+    moves_ = moves_ || obstacle.motion;
+  }
+}
+
+Mesh ObstacleMeshes::at(double time) const {
+  Mesh all;
+  for (const Part& part : parts_) {
+    const sim::Pose pose = sim::pose_at(part.obstacle, time);
+    const auto first = static_cast<unsigned>(all.vertices.size());
+    for (std::size_t i = 0; i < part.mesh.vertices.size(); ++i) {
+      const glm::vec3 &vertex = part.mesh.vertices[i], &normal = part.mesh.normals[i];
+      if (part.obstacle.motion) {
+        add_vertex(all, glm::vec3(pose(vertex)), glm::vec3(pose.rotation * glm::dvec3(normal)));
+      } else {
+        add_vertex(all, vertex, normal);
+      }
+    }
+    for (const glm::uvec3& triangle : part.mesh.triangles) {
+      all.triangles.push_back(triangle + first);
+    }
+  }
+  return all;
+}
+
+std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> times) const {
+  glm::dvec3 low(1e30), high(-1e30);
+  for (const Part& part : parts_) {
+    if (!part.obstacle.motion) {
+      continue;
+    }
+    const sim::Box box = sim::bounds_of(part.obstacle.shape);
+    for (const double time : times) {
+      const sim::Pose pose = sim::pose_at(part.obstacle, time);
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p =
+            pose({(corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
+                  (corner & 4) ? box.max.z : box.min.z});
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
+  }
+  if (!moves_ || times.empty()) {
+    return {};
+  }
+  const double rounding = 1e-4 * glm::distance(low, high);
+  return {glm::vec3(low - rounding), glm::vec3(high + rounding)};
 }
 
 }  // namespace spindrift::app

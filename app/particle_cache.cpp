@@ -14,7 +14,7 @@ namespace spindrift::app {
 namespace {
 
 /// Changes whenever the layout of the file does.
-constexpr std::array<char, 8> magic = {'S', 'P', 'N', 'D', 'F', 'R', 'M', '1'};
+constexpr std::array<char, 8> magic = {'S', 'P', 'N', 'D', 'F', 'R', 'M', '3'};
 
 struct Header {
   std::array<char, 8> magic;

@@ -19,6 +19,8 @@ void append(sim::FrameStatistics& whole, const sim::FrameStatistics& part) {
   sum.rejected_steps += whole.rejected_steps;
   sum.iterations += whole.iterations;
   sum.contacts += whole.contacts;
+  sum.wall_work += whole.wall_work;
+  sum.exchange += whole.exchange;
   sum.max_time_step = std::max(whole.max_time_step, part.max_time_step);
   if (whole.steps > 0 && (part.steps == 0 || whole.min_time_step < part.min_time_step))
     sum.min_time_step = whole.min_time_step;
@@ -56,6 +58,7 @@ std::optional<KeptFrame> ParticleSource::next(int number) {
   KeptFrame frame = simulate(number);
   if (InterruptGuard::requested())
     return std::nullopt;
+  particle_count_ = std::max(particle_count_, frame.frame.positions.size());
   ++simulated_;
   if (cache_)
     cache_->write(number, frame);
@@ -93,6 +96,7 @@ KeptFrame ParticleSource::simulate(int number) {
 
 KeptFrame ParticleSource::kept(int number) {
   KeptFrame frame = cache_->read(number);
+  particle_count_ = std::max(particle_count_, frame.frame.positions.size());
   read_probes(frame.frame);
   return frame;
 }

@@ -19,6 +19,7 @@ class ParticleSource {
                  std::vector<ProbeReading>& readings);
   ~ParticleSource();
 
+  /// The most that there were at once so far.
   std::size_t particle_count() const { return particle_count_; }
 
   /// Frame `number`, asked for in order from 0; nothing after Ctrl-C.

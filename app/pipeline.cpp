@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <numeric>
 #include <thread>
 
 #include "app/bounded_queue.hpp"
@@ -60,25 +62,32 @@ std::vector<float> attribute_of(const sim::Frame& frame, gl::ColorBy color_by) {
   return speeds;
 }
 
-/// The values in the order of the particles' numbers, so that a particle has the same place in
-/// every file.
+/// Values in the given order.
 template <class T>
-std::vector<T> by_number(const std::vector<T>& values, const std::vector<std::uint32_t>& ids) {
-  std::vector<T> ordered(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    ordered[ids[i]] = values[i];
-  return ordered;
+std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> result(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    result[k] = values[order[k]];
+  return result;
 }
 
-void export_particles(const fs::path& file, const sim::Frame& frame) {
-  const auto positions = by_number(frame.positions, frame.ids);
-  const auto velocities = by_number(frame.velocities, frame.ids);
-  const auto densities = by_number(frame.densities, frame.ids);
-  const auto pressures = by_number(frame.pressures, frame.ids);
+/// In the order of the particles' numbers, so that a particle has the same place in every file;
+/// where particles come and go, with the numbers.
+void export_particles(const fs::path& file, const sim::Frame& frame, bool with_numbers) {
+  std::vector<std::uint32_t> order(frame.ids.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return frame.ids[a] < frame.ids[b]; });
+  const auto positions = ordered(frame.positions, order);
+  const auto velocities = ordered(frame.velocities, order);
+  const auto densities = ordered(frame.densities, order);
+  const auto pressures = ordered(frame.pressures, order);
+  const auto numbers = with_numbers ? ordered(frame.ids, order) : std::vector<std::uint32_t>();
   output::write_ply(file, output::ParticleAttributes{.positions = positions,
                                                      .velocities = velocities,
                                                      .densities = densities,
-                                                     .pressures = pressures});
+                                                     .pressures = pressures,
+                                                     .numbers = numbers});
 }
 
 /// Particles to picture. Lives in the drawing thread, since a GL context belongs to one thread.
@@ -91,11 +100,16 @@ class DrawingStage {
         drawing_(record.stage_seconds["draw"]),
         writing_(record.stage_seconds["export"]),
         renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
-                  gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}) {
+                  gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}),
+        obstacles_(scene.simulation.obstacles) {
     record.gl_renderer = renderer_.info().renderer;
     record.gl_version = renderer_.info().version;
-    if (!scene.simulation.obstacles.empty())
-      renderer_.set_obstacles(tessellate(scene.simulation.obstacles));
+    std::vector<double> times;  // of all pictures, whichever are wanted now
+    for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)
+      times.push_back(static_cast<double>(k) / scene.video.frames_per_second);
+    reach_ = obstacles_.reach(times);
+    if (!obstacles_.empty())
+      renderer_.set_obstacles(obstacles_.at(0), reach_);
   }
 
   Image draw(const NumberedParticles& particles) {
@@ -112,6 +126,8 @@ class DrawingStage {
     }
     export_geometry(particles, mesh);
     const StageTimer timer(drawing_);
+    if (obstacles_.move())
+      renderer_.set_obstacles(obstacles_.at(particles.frame.time), reach_);
     if (as_mesh)
       return renderer_.draw(mesh, view);
     const std::vector<float> attribute = attribute_of(particles.frame, scene_.look.color_by);
@@ -130,13 +146,16 @@ class DrawingStage {
     if (options_.export_meshes)
       output::write_ply(options_.output / "meshes" / name, mesh);
     if (options_.export_particles)
-      export_particles(options_.output / "particles_ply" / name, particles.frame);
+      export_particles(options_.output / "particles_ply" / name, particles.frame,
+                       scene_.simulation.exchanges_particles());
   }
 
   const Scene& scene_;
   const RenderOptions& options_;
   double &meshing_, &drawing_, &writing_;
   gl::Renderer renderer_;
+  ObstacleMeshes obstacles_;
+  std::vector<glm::vec3> reach_;  ///< corners of the space that moving obstacles pass through
 };
 
 /// Pictures to files.
@@ -228,13 +247,14 @@ class Pipeline {
       }
       record_.frames.push_back(kept->statistics);
       record_.times.push_back(kept->frame.time);
+      progress.set_particles(kept->frame.positions.size());
       if (number < range.first)
         continue;
       if (options_.simulate_only) {
         if (options_.export_particles) {
           fs::create_directories(options_.output / "particles_ply");
           export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
-                           kept->frame);
+                           kept->frame, scene_.simulation.exchanges_particles());
         }
         progress.show("simulating", ++record_.frames_finished);
       } else if (!particles_.push({number, std::move(kept->frame)})) {

@@ -15,7 +15,7 @@ namespace spindrift::app {
 
 /// What a run did, for reports.
 struct RunRecord {
-  std::size_t particles = 0;
+  std::size_t particles = 0;  ///< the most at once
   std::size_t boundary_particles = 0;
   std::size_t simulation_bytes = 0;  ///< 0: all particles came from the cache
   int first_frame = 0;

@@ -39,7 +39,7 @@ void Progress::show(const char* stage, int done) {
   const std::string left =
       done > 0 ? duration_text(spent.count() / done * (frames_ - done)) + " left" : "starting";
   fmt::print(stderr, "\r\033[K{}  {}  frame {}/{}  {} particles  {}", scene_, stage, done, frames_,
-             particles_, left);
+             particles_.load(), left);
   std::fflush(stderr);
   drawn_ = true;
 }

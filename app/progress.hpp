@@ -1,6 +1,7 @@
 // A line on the terminal that says how far a run is; nothing where no person is looking.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <string>
 
@@ -16,13 +17,15 @@ class Progress {
 
   /// Frame `done` of the run has just been finished by `stage`.
   void show(const char* stage, int done);
+  /// How many particles there are now; may be called from another thread than show().
+  void set_particles(std::size_t particles) { particles_ = particles; }
   /// Takes the line away.
   void clear();
 
  private:
   std::string scene_;
   int frames_;
-  std::size_t particles_;
+  std::atomic<std::size_t> particles_;
   bool visible_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -8,6 +8,7 @@
 
 #include "app/progress.hpp"
 #include "render/output/output.hpp"
+#include "sim/motion.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -28,7 +29,16 @@ std::int64_t total(const std::vector<sim::FrameStatistics>& frames, auto figure)
   return sum;
 }
 
-nlohmann::ordered_json frames_json(const RunRecord& record) {
+sim::Exchange total_exchange(const RunRecord& record) {
+  sim::Exchange sum;
+  for (const auto& f : record.frames)
+    sum += f.exchange;
+  return sum;
+}
+
+nlohmann::ordered_json frames_json(const Scene& scene, const RunRecord& record) {
+  const bool moves = sim::any_moves(scene.simulation.obstacles);
+  const bool exchanges = scene.simulation.exchanges_particles();
   auto frames = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < record.frames.size(); ++k) {
     const sim::FrameStatistics& f = record.frames[k];
@@ -45,6 +55,16 @@ nlohmann::ordered_json frames_json(const RunRecord& record) {
                       {"kinetic_energy", f.kinetic_energy},
                       {"potential_energy", f.potential_energy},
                       {"contacts", f.contacts}});
+    if (moves)
+      frames.back()["wall_work"] = f.wall_work;
+    if (exchanges)
+      frames.back().update({{"particles", f.particles},
+                            {"entered", f.exchange.entered},
+                            {"held_back", f.exchange.held_back},
+                            {"drained", f.exchange.drained},
+                            {"left", f.exchange.left},
+                            {"energy_in", f.exchange.energy_in},
+                            {"energy_out", f.exchange.energy_out}});
   }
   return frames;
 }
@@ -99,7 +119,7 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) 
   json["worst_max_compression"] = worst(record.frames, &sim::FrameStatistics::max_compression);
   if (!scene.probes.empty())
     json["probes"] = {{"table", "probes.csv"}, {"report", "probes.html"}};
-  json["frames"] = frames_json(record);
+  json["frames"] = frames_json(scene, record);
   json["scene"] = to_json(scene);
   return json;
 }
@@ -124,6 +144,17 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
   fmt::print("  density error, worst frame: mean compression {:.3f} %, largest {:.2f} %\n",
              100 * worst(record.frames, &sim::FrameStatistics::mean_compression),
              100 * worst(record.frames, &sim::FrameStatistics::max_compression));
+  if (scene.simulation.exchanges_particles()) {
+    const sim::Exchange e = total_exchange(record);
+    fmt::print(
+        "  {} particles came out of emitters, {} went into sinks, {} left through open faces\n",
+        e.entered, e.drained, e.left);
+    if (e.held_back > 0)
+      fmt::print(
+          "  {} particles did not come out of emitters: there was liquid in their nozzles, which "
+          "lie four spacings behind the opening\n",
+          e.held_back);
+  }
   if (!options.simulate_only)
     fmt::print("  {}\n", (options.output / "video.mp4").string());
   if (!scene.probes.empty())

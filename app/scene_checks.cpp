@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "app/estimate.hpp"
+#include "app/exchange_checks.hpp"
 #include "app/scene_fields.hpp"
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
@@ -30,6 +31,7 @@ class Checker {
     check_domain();
     check_obstacles();
     check_volumes();
+    check_emitters_and_sinks();
     check_forces_and_solver();
     check_picture();
     check_probes();
@@ -99,21 +101,52 @@ class Checker {
   void check_obstacles() const {
     const auto& obstacles = scene_.simulation.obstacles;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      check_shape(obstacles[i].shape, child_path("obstacles", i));
+      const std::string path = child_path("obstacles", i);
+      check_shape(obstacles[i].shape, path);
+      if (obstacles[i].motion) {
+        check_motion(*obstacles[i].motion, child_path(path, "motion"));
+      }
+    }
+  }
+
+  void check_motion(const sim::Motion& motion, const std::string& path) const {
+    if (motion.keyframes.empty() && motion.oscillations.empty() && !motion.spin) {
+      fail(path, "says nothing of how the obstacle moves; give keyframes, oscillations or spin");
+    }
+    check_times(motion.keyframes, child_path(path, "keyframes"));
+    for (std::size_t i = 0; i < motion.oscillations.size(); ++i) {
+      const sim::Oscillation& one = motion.oscillations[i];
+      if (one.translate == glm::vec3(0.f) && one.rotate == glm::vec3(0.f)) {
+        fail(child_path(child_path(path, "oscillations"), i),
+             "has no amplitude; give translate (m) or rotate (degrees)");
+      }
+    }
+    if (motion.spin && !(glm::length(motion.spin->axis) > 1e-6f)) {
+      fail(child_path(child_path(path, "spin"), "axis"), "has no length");
     }
   }
 
   /// Every volume holds particles, and all their centres lie in the domain.
   void check_volumes() const {
     const auto& fluid = scene_.simulation.fluid;
-    if (fluid.volumes.empty()) {
-      fail("fluid.volumes", "empty; at least one volume of liquid is needed");
+    if (fluid.volumes.empty() && fluid.emitters.empty()) {
+      fail("fluid.volumes",
+           "empty; at least one volume of liquid or one of fluid.emitters is needed");
     }
     const double cell = std::pow(static_cast<double>(fluid.spacing), 3);
     double count = 0.;
     for (std::size_t i = 0; i < fluid.volumes.size(); ++i) {
       check_shape(fluid.volumes[i].shape, child_path("fluid.volumes", i));
       count += shape_volume(fluid.volumes[i].shape) / cell;
+    }
+    for (const sim::Emitter& emitter : fluid.emitters) {
+      const double until = std::min(static_cast<double>(emitter.to), scene_.video.duration);
+      const double time = std::max(0., until - emitter.from);
+      double more = opening_area(emitter.opening) * emitter.speed * time / cell;
+      if (emitter.max_particles > 0) {
+        more = std::min(more, static_cast<double>(emitter.max_particles));
+      }
+      count += more;
     }
     if (count > most_particles) {
       fail("fluid.spacing", fmt::format("{:g} m makes about {:.2g} particles; at most {:.0e} are "
@@ -141,6 +174,16 @@ class Checker {
         fail(path, fmt::format("the particle at {} is outside the domain {} ... {}", text_of(p),
                                text_of(domain.min), text_of(domain.max)));
       }
+    }
+  }
+
+  void check_emitters_and_sinks() const {
+    const auto& sinks = scene_.simulation.sinks;
+    for (std::size_t i = 0; i < sinks.size(); ++i) {
+      check_shape(sinks[i].shape, child_path("sinks", i));
+    }
+    if (const auto wrong = check_exchange(scene_)) {
+      fail(wrong->path, wrong->message);
     }
   }
 

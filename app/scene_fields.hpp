@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -50,6 +51,12 @@ void for_each_field(F&& f) {
   std::apply([&](const auto&... field) { (f(field), ...); }, table<T>);
 }
 
+/// A value that may be left out; it is then left out of the resolved scene as well.
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
 /// Names of an enumeration's values, in the order of the values, which count from 0.
 template <class E>
 inline constexpr std::array<std::string_view, 0> value_names{};
@@ -57,6 +64,9 @@ template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::SolverType>{"pcisph", "sph"};
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::PressureKernel>{"cubic", "spiky"};
+template <>
+inline constexpr std::array<std::string_view, 2> value_names<sim::Interpolation>{"smooth",
+                                                                                 "linear"};
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<gl::Style>{"mesh", "particles"};
 template <>
@@ -81,6 +91,11 @@ template <>
 inline constexpr std::array<std::string_view, std::variant_size_v<sim::Shape>>
     alternative_names<sim::Shape>{"box", "sphere", "cylinder", "capsule", "mesh"};
 template <>
+inline constexpr std::string_view variant_name<sim::Opening> = "opening";
+template <>
+inline constexpr std::array<std::string_view, std::variant_size_v<sim::Opening>>
+    alternative_names<sim::Opening>{"disc", "rectangle"};
+template <>
 inline constexpr std::string_view variant_name<sim::ProbeQuantity> = "quantity";
 template <>
 inline constexpr std::array<std::string_view, std::variant_size_v<sim::ProbeQuantity>>
@@ -94,6 +109,7 @@ inline constexpr Range times{0., 1e5};      // s
 inline constexpr Range directions{-1e6, 1e6};
 inline constexpr Range colors{0., 1.};
 inline constexpr Range accelerations{-1e4, 1e4};  // m/s²
+inline constexpr Range turns{-1e6, 1e6};          // degrees
 
 template <>
 inline constexpr auto table<sim::Box> =
@@ -141,6 +157,35 @@ inline constexpr auto table<sim::Volume> =
                Field{"velocity", &sim::Volume::velocity, "initial velocity", speeds, "m/s"}};
 
 template <>
+inline constexpr auto table<sim::Disc> = std::tuple{
+    Field{"center", &sim::Disc::center, "centre of the opening", places, "m", Presence::required},
+    Field{"direction", &sim::Disc::direction, "the way the liquid goes", directions, "",
+          Presence::required},
+    Field{"radius", &sim::Disc::radius, "of the opening", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Rectangle> = std::tuple{
+    Field{"center", &sim::Rectangle::center, "centre of the opening", places, "m",
+          Presence::required},
+    Field{"direction", &sim::Rectangle::direction, "the way the liquid goes", directions, "",
+          Presence::required},
+    Field{"up", &sim::Rectangle::up, "the way of its height, as far as across the direction",
+          directions},
+    Field{"width", &sim::Rectangle::width, "across up", lengths, "m", Presence::required},
+    Field{"height", &sim::Rectangle::height, "along up", lengths, "m", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Emitter> = std::tuple{
+    Field{"", &sim::Emitter::opening},
+    Field{"speed", &sim::Emitter::speed,
+          "of the liquid in the opening; area times speed is the volume that comes per second",
+          Range{1e-3, 1e3}, "m/s"},
+    Field{"from", &sim::Emitter::from, "when the first liquid comes out", times, "s"},
+    Field{"to", &sim::Emitter::to, "when it ends", times, "s"},
+    Field{"max_particles", &sim::Emitter::max_particles,
+          "it also ends after so many, whole layers; 0: any number", Range{0, 2e8}}};
+
+template <>
 inline constexpr auto table<sim::FluidSettings> = std::tuple{
     Field{"spacing", &sim::FluidSettings::spacing, "distance between particle centres at rest",
           Range{1e-6, 100.}, "m"},
@@ -152,17 +197,78 @@ inline constexpr auto table<sim::FluidSettings> = std::tuple{
           "it "
           "sticks (no-slip)",
           Range{0., 1e4}, "Pa·s"},
+    Field{"surface_tension", &sim::FluidSettings::surface_tension,
+          "surface tension against the air; 0: none; water has 0.072", Range{0., 1e4}, "N/m"},
+    Field{"contact_angle", &sim::FluidSettings::contact_angle,
+          "angle at which liquid with surface tension meets walls and obstacles; 180: they are as "
+          "air to it",
+          Range{90., 180.}, "degrees"},
     Field{"volumes", &sim::FluidSettings::volumes,
           "regions filled with liquid at the start; a box's outermost particle centres lie half a "
-          "spacing inside its faces"}};
+          "spacing inside its faces; none if there are only emitters"},
+    Field{"emitters", &sim::FluidSettings::emitters,
+          "openings that liquid enters through; each has a nozzle of four spacings behind it"}};
 
 template <>
 inline constexpr auto table<sim::DomainSettings> =
     std::tuple{Field{"min", &sim::DomainSettings::min, "lowest corner, inner faces", places, "m"},
-               Field{"max", &sim::DomainSettings::max, "highest corner, inner faces", places, "m"}};
+               Field{"max", &sim::DomainSettings::max, "highest corner, inner faces", places, "m"},
+               Field{"open", &sim::DomainSettings::open,
+                     "faces without a wall, by the way out through them, such as [\"+y\"]"}};
 
 template <>
-inline constexpr auto table<sim::Obstacle> = std::tuple{Field{"", &sim::Obstacle::shape}};
+inline constexpr auto table<sim::MotionKey> = std::tuple{
+    Field{"time", &sim::MotionKey::time, "time of the key", times, "s", Presence::required},
+    Field{"translate", &sim::MotionKey::translate, "how far the body is then from where it was put",
+          places, "m"},
+    Field{"rotate", &sim::MotionKey::rotate,
+          "angles about the x, then the y, then the z axis, through the pivot", turns, "degrees"}};
+
+template <>
+inline constexpr auto table<sim::Oscillation> = std::tuple{
+    Field{"translate", &sim::Oscillation::translate, "amplitude of the translation", places, "m"},
+    Field{"rotate", &sim::Oscillation::rotate,
+          "amplitudes of the angles about the x, y and z axes through the pivot", turns, "degrees"},
+    Field{"frequency", &sim::Oscillation::frequency, "swings per second", Range{0., 1e3}, "Hz",
+          Presence::required},
+    Field{"phase", &sim::Oscillation::phase,
+          "at time 0, where 0 is the middle of the swing and 90 its end, at rest", turns,
+          "degrees"}};
+
+template <>
+inline constexpr auto table<sim::Spin> =
+    std::tuple{Field{"axis",
+                     &sim::Spin::axis,
+                     "direction of the axis, which goes through the pivot",
+                     directions,
+                     {},
+                     Presence::required},
+               Field{"frequency", &sim::Spin::frequency,
+                     "turns per second, counter-clockwise seen from the axis' tip",
+                     Range{-1e3, 1e3}, "1/s", Presence::required}};
+
+template <>
+inline constexpr auto table<sim::Motion> = std::tuple{
+    Field{"pivot", &sim::Motion::pivot,
+          "point that rotations are about, in the place where the body was put", places, "m"},
+    Field{
+        "keyframes", &sim::Motion::keyframes,
+        "the body's way, in the order of the times; it rests before the first and after the last"},
+    Field{"interpolation", &sim::Motion::interpolation,
+          "between keys: smooth, from rest to rest, or linear, with steady speeds"},
+    Field{"oscillations", &sim::Motion::oscillations, "swings to and fro, added to the keyframes"},
+    Field{"spin", &sim::Motion::spin, "a steady turn; none if left out"}};
+
+template <>
+inline constexpr auto table<sim::Obstacle> = std::tuple{
+    Field{"", &sim::Obstacle::shape},
+    Field{"wall_viscosity", &sim::Obstacle::wall_viscosity,
+          "with which this obstacle holds the liquid back; fluid.wall_viscosity if left out",
+          Range{0., 1e4}, "Pa·s"},
+    Field{"motion", &sim::Obstacle::motion, "how the obstacle moves; fixed if left out"}};
+
+template <>
+inline constexpr auto table<sim::Sink> = std::tuple{Field{"", &sim::Sink::shape}};
 
 template <>
 inline constexpr auto table<sim::AccelerationKey> = std::tuple{
@@ -207,12 +313,14 @@ inline constexpr auto table<sim::SolverSettings> = std::tuple{
           "a step that would have to be shorter ends the run", Range{1e-12, 10.}, "s"}};
 
 template <>
-inline constexpr auto table<sim::Settings> =
-    std::tuple{Field{"fluid", &sim::Settings::fluid, "the liquid and where it starts"},
-               Field{"domain", &sim::Settings::domain, "the closed box that holds the liquid"},
-               Field{"obstacles", &sim::Settings::obstacles, "solid, fixed bodies"},
-               Field{"forces", &sim::Settings::forces, "what moves the liquid"},
-               Field{"solver", &sim::Settings::solver, "how the motion is computed"}};
+inline constexpr auto table<sim::Settings> = std::tuple{
+    Field{"fluid", &sim::Settings::fluid, "the liquid and where it starts"},
+    Field{"domain", &sim::Settings::domain,
+          "the box that holds the liquid, closed but for its open faces"},
+    Field{"obstacles", &sim::Settings::obstacles, "solid bodies, fixed or moving on a script"},
+    Field{"sinks", &sim::Settings::sinks, "bodies that take away what comes into them"},
+    Field{"forces", &sim::Settings::forces, "what moves the liquid"},
+    Field{"solver", &sim::Settings::solver, "how the motion is computed"}};
 
 template <>
 inline constexpr auto table<surface::SurfaceSettings> = std::tuple{

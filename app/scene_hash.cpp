@@ -8,7 +8,7 @@ namespace spindrift::app {
 namespace {
 
 // To be raised when the same settings begin to give other particles, or the cache's files change.
-constexpr int particles_version = 2;
+constexpr int particles_version = 4;
 
 __extension__ typedef unsigned __int128 Bits128;
 
@@ -50,6 +50,9 @@ std::string simulation_hash(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.simulation.obstacles.size(); ++i) {
     name_by_content(scene.simulation.obstacles[i].shape, what["obstacles"][i]);
+  }
+  for (std::size_t i = 0; i < scene.simulation.sinks.size(); ++i) {
+    name_by_content(scene.simulation.sinks[i].shape, what["sinks"][i]);
   }
   what["frames_per_second"] = scene.video.frames_per_second;
   if (!scene.probes.empty() && scene.probes_rate > 0)

@@ -96,6 +96,10 @@ void load_meshes(Scene& scene, const SceneDocument& document, const std::filesys
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     loader.load(obstacles[i].shape, child_path("obstacles", i));
   }
+  auto& sinks = scene.simulation.sinks;
+  for (std::size_t i = 0; i < sinks.size(); ++i) {
+    loader.load(sinks[i].shape, child_path("sinks", i));
+  }
 }
 
 }  // namespace spindrift::app

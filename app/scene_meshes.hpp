@@ -8,7 +8,8 @@
 
 namespace spindrift::app {
 
-/// Reads the mesh files of all volumes and obstacles. @param folder that their paths start from
+/// Reads the mesh files of all volumes, obstacles and sinks. @param folder that their paths start
+/// from
 /// @throws SceneError that names the value's place
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
 

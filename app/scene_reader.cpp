@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -179,6 +180,12 @@ class SceneReader {
     }
   }
 
+  template <class T>
+  void read(const Json& json, const std::string& path, std::optional<T>& into,
+            const Bounds& bounds) {
+    read(json, path, into.emplace(), bounds);
+  }
+
   void read(const Json& json, const std::string& path, std::string& into, const Bounds&) {
     if (!json.is_string()) {
       fail(path, fmt::format("expected text, found {}", found_text(json)));
@@ -271,6 +278,10 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   Scene scene;
   scene.name = source.stem().string();
   SceneReader(document).read(root, "", scene);
+  auto& fluid = scene.simulation.fluid;
+  if (!fluid.emitters.empty() && !root.at("fluid").contains("volumes")) {
+    fluid.volumes.clear();  // the column that stands where nothing is said
+  }
   load_meshes(scene, document, source.parent_path());
   check_scene(scene, document);
   return scene;

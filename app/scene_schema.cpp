@@ -53,6 +53,9 @@ Json schema_of(const T*, const Range&);
 Json schema_of(const CameraSettings*, const Range&);
 
 template <class T>
+Json schema_of(const std::optional<T>*, const Range&);
+
+template <class T>
 Json schema_for(const Range& range = {}) {
   return schema_of(static_cast<const T*>(nullptr), range);
 }
@@ -77,7 +80,7 @@ Json field_schema(const FieldType& field) {
   schema["description"] = field.unit.empty() ? std::string(field.about)
                                              : fmt::format("{} ({})", field.about, field.unit);
   schema.update(schema_for<Value>(field.range));
-  if constexpr (!Section<Value>) {
+  if constexpr (!Section<Value> && !is_optional<Value>) {
     if (field.presence == Presence::optional && !std::is_same_v<Value, std::string>) {
       schema["default"] = json_of(T{}.*field.member);
     }
@@ -113,6 +116,11 @@ Json schema_of(const T*, const Range&) {
 template <class T>
 Json schema_of(const std::vector<T>*, const Range&) {
   return {{"type", "array"}, {"items", schema_for<T>()}};
+}
+
+template <class T>
+Json schema_of(const std::optional<T>*, const Range& range) {
+  return schema_for<T>(range);
 }
 
 /// Keyframes, or one key written straight into the section.

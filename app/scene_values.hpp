@@ -1,6 +1,7 @@
 // Any value of a scene as JSON, by its type and its table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -35,6 +36,10 @@ template <class T>
 Json json_of(const std::vector<T>& values);
 template <Section T>
 Json json_of(const T& section);
+template <class T>
+Json json_of(const std::optional<T>& value) {
+  return value ? json_of(*value) : Json();
+}
 
 /// Puts a section's fields into `object`.
 template <Section T>
@@ -43,7 +48,11 @@ void put_fields(const T& section, Json& object) {
     const auto& value = section.*field.member;
     using Value = std::remove_cvref_t<decltype(value)>;
     if (!field.key.empty()) {
-      if constexpr (!Alternatives<Value>) {
+      if constexpr (is_optional<Value>) {
+        if (value) {
+          object[std::string(field.key)] = json_of(*value);
+        }
+      } else if constexpr (!Alternatives<Value>) {
         object[std::string(field.key)] = json_of(value);
       }
     } else if constexpr (Section<Value>) {

@@ -38,25 +38,41 @@ float flat_liquid_share(const CubicKernel& kernel, float spacing, float radius) 
   return static_cast<float>(sum / lattice_kernel_sum(kernel, spacing, radius));
 }
 
-/// ∫ W over the part of a sample's support for which `free` holds, by the midpoint rule on a fine
-/// lattice.
-template <class Free>
-double free_part(const CubicKernel& kernel, float radius, Free free) {
-  constexpr int cells_across = 16;
-  const float h = 2 * radius / cells_across;
-  double sum = 0;
-  for (int k = 0; k < cells_across; ++k)
-    for (int j = 0; j < cells_across; ++j)
-      for (int i = 0; i < cells_across; ++i) {
-        const Vec3<float> p{(static_cast<float>(i) + 0.5f) * h - radius,
-                            (static_cast<float>(j) + 0.5f) * h - radius,
-                            (static_cast<float>(k) + 0.5f) * h - radius};
-        const float r = square_root(dot(p, p));
-        if (r < radius && free(p))
-          sum += kernel.value(r);
-      }
-  return sum * h * h * h;
-}
+/// A kernel's values on a fine lattice over its support, which are the same around every sample.
+class SupportLattice {
+ public:
+  SupportLattice(const CubicKernel& kernel, float radius) : cell_(2 * radius / cells_across) {
+    for (int k = 0; k < cells_across; ++k)
+      for (int j = 0; j < cells_across; ++j)
+        for (int i = 0; i < cells_across; ++i) {
+          const Vec3<float> p{(static_cast<float>(i) + 0.5f) * cell_ - radius,
+                              (static_cast<float>(j) + 0.5f) * cell_ - radius,
+                              (static_cast<float>(k) + 0.5f) * cell_ - radius};
+          const float r = square_root(dot(p, p));
+          if (r < radius)
+            points_.push_back({p, kernel.value(r)});
+        }
+  }
+
+  /// ∫ W over the part of the support for which `free` holds, by the midpoint rule.
+  template <class Free>
+  double free_part(Free free) const {
+    double sum = 0;
+    for (const Point& point : points_)
+      if (free(point.place))
+        sum += point.value;
+    return sum * cell_ * cell_ * cell_;
+  }
+
+ private:
+  static constexpr int cells_across = 16;
+  struct Point {
+    Vec3<float> place;  ///< from the sample, m
+    float value;        ///< 1/m³
+  };
+  float cell_;  ///< m
+  std::vector<Point> points_;
+};
 
 void place_sentinel(VectorField& field, std::uint32_t n) {
   field.view().set(n, {sentinel_position, sentinel_position, sentinel_position});
@@ -70,7 +86,9 @@ std::vector<SurfaceSample> sample_all(const Settings& settings) {
   for (const glm::vec3 p : sample_walls(settings.domain, spacing))
     samples.push_back({p, SurfaceSample::Side::domain});
   for (const Obstacle& obstacle : settings.obstacles) {
-    const auto more = sample_surface(obstacle.shape, spacing);
+    auto more = sample_surface(obstacle.shape, spacing);
+    for (SurfaceSample& sample : more)
+      sample.wall_viscosity = obstacle.wall_viscosity;
     samples.insert(samples.end(), more.begin(), more.end());
   }
   const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
@@ -82,8 +100,11 @@ std::vector<SurfaceSample> sample_all(const Settings& settings) {
 
 }  // namespace
 
-Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
-  const std::vector<SurfaceSample> unsorted = sample_all(settings);
+Boundary::Boundary(const Settings& settings, const GridMap& map, float radius)
+    : Boundary(settings, sample_all(settings), map, radius) {}
+
+Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& unsorted,
+                   const GridMap& map, float radius) {
   count_ = static_cast<std::uint32_t>(unsorted.size());
   position_.resize(count_);
   const auto place = [&](std::uint32_t i, const SurfaceSample& s) {
@@ -98,12 +119,51 @@ Boundary::Boundary(const Settings& settings, const GridMap& map, float radius) {
     place(i, samples[i]);
   }
   place_sentinel(position_, count_);
+  grid_.forget_order();
 
   const CubicKernel kernel(radius);
   measure_volumes(settings, samples, map, kernel, radius);
   measure_solids(settings, samples, kernel, radius);
   pressure_.resize(count_);
   step_pressure_.resize(count_);
+  const auto has_its_own = [](const SurfaceSample& s) { return s.wall_viscosity.has_value(); };
+  if (std::any_of(samples.begin(), samples.end(), has_its_own)) {
+    wall_viscosity_.resize(count_);
+    for (std::uint32_t i = 0; i < count_; ++i)
+      wall_viscosity_[i] = samples[i].wall_viscosity.value_or(settings.fluid.wall_viscosity);
+  }
+}
+
+Boundary::Sample Boundary::sample(std::uint32_t b) const {
+  const glm::vec3 p = position_.at(b);
+  return {.position = {p.x, p.y, p.z},
+          .volume = volume_[b],
+          .solid = solid_[b],
+          .wall_viscosity = wall_viscosity_.empty() ? 0 : wall_viscosity_[b],
+          .pressure = pressure_[b],
+          .velocity = {0, 0, 0}};
+}
+
+void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
+  count_ = static_cast<std::uint32_t>(samples.size());
+  position_.resize(count_);
+  velocity_.resize(count_);
+  for (ScalarField* f : {&volume_, &solid_, &pressure_, &step_pressure_, &wall_viscosity_})
+    f->resize(count_);
+  const Vec3Arrays x = position_.view(), v = velocity_.view();
+  for (std::uint32_t i = 0; i < count_; ++i)
+    x.set(i, samples[i].position);
+  grid_.sort(map, x, count_);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const Sample& s = samples[grid_.order()[i]];
+    x.set(i, s.position);
+    v.set(i, s.velocity);
+    volume_[i] = s.volume;
+    solid_[i] = s.solid;
+    wall_viscosity_[i] = s.wall_viscosity;
+    pressure_[i] = s.pressure;
+  }
+  place_sentinel(position_, count_);
 }
 
 /// The volumes give the liquid the rest density: where samples are in a single layer, at the sample
@@ -167,15 +227,16 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
 void Boundary::measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
                               const CubicKernel& kernel, float radius) {
   const float spacing = settings.fluid.spacing;
-  const double flat =
-      free_part(kernel, radius, [&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
+  const SupportLattice support(kernel, radius);
+  const double flat = support.free_part([&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
   const double volume = 1 / lattice_kernel_sum(kernel, spacing, radius);
   const float share = flat_liquid_share(kernel, spacing, radius);
   const ContactView contact{{settings.domain.min.x, settings.domain.min.y, settings.domain.min.z},
                             {settings.domain.max.x, settings.domain.max.y, settings.domain.max.z},
                             settings.obstacles.data(),
-                            settings.obstacles.size()};
-  const ContactView walls{contact.min, contact.max, nullptr, 0};
+                            settings.obstacles.size(),
+                            OpenFaces(settings.domain)};
+  const ContactView walls{contact.min, contact.max, nullptr, 0, contact.open};
   solid_.resize(count_);
   const Vec3Arrays position = position_.view();
 #pragma omp parallel for schedule(dynamic, 64)
@@ -187,7 +248,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
               glm::dot(sample.normal, glm::vec3(p.x, p.y, p.z)) > 0) &&
              contact.is_open(xi + p);
     };
-    const double open = free_part(kernel, radius, is_open);
+    const double open = support.free_part(is_open);
     double lattice = 0;
     for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
       if (is_open(p))
@@ -196,9 +257,8 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
     // Liquid lies as a lattice along the walls of the domain, in edges and corners too.
     const bool at_bare_wall =
         sample.side == SurfaceSample::Side::domain &&
-        (settings.obstacles.empty() || open == free_part(kernel, radius, [&](const Vec3<float>& p) {
-                                         return walls.is_open(xi + p);
-                                       }));
+        (settings.obstacles.empty() ||
+         open == support.free_part([&](const Vec3<float>& p) { return walls.is_open(xi + p); }));
     const double liquid =
         at_bare_wall ? volume * lattice : std::max(share * open / flat, volume * lattice);
     solid_[i] = 1 - static_cast<float>(liquid);
@@ -206,7 +266,8 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
 }
 
 std::size_t Boundary::memory_bytes() const {
-  return position_.memory_bytes() + 4 * volume_.memory_bytes() + grid_.memory_bytes();
+  return position_.memory_bytes() + 4 * volume_.memory_bytes() + grid_.memory_bytes() +
+         wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
 }
 
 }  // namespace spindrift::sim

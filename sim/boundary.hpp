@@ -16,13 +16,45 @@ class Boundary {
   /// gives each its volume. `radius` is the support radius, m.
   Boundary(const Settings& settings, const GridMap& map, float radius);
 
+  /// The same with samples that are given, of a solid whose surroundings are the settings'.
+  Boundary(const Settings& settings, const std::vector<SurfaceSample>& samples, const GridMap& map,
+           float radius);
+
+  /// A sample and what it carries.
+  struct Sample {
+    Vec3<float> position;  ///< m
+    float volume;          ///< m³
+    float solid;
+    float wall_viscosity;  ///< Pa·s
+    float pressure;        ///< Pa
+    Vec3<float> velocity;  ///< m/s
+  };
+  Sample sample(std::uint32_t b) const;
+  /// Takes these samples in place of those there are, sorted into the cells of `map`: sample k is
+  /// the one that was given as grid().order()[k].
+  void replace(const std::vector<Sample>& samples, const GridMap& map);
+
+  void scale_volume(std::uint32_t b, float factor) { volume_[b] *= factor; }
+
   std::uint32_t count() const { return count_; }
   const CellGrid& grid() const { return grid_; }
   Vec3Arrays positions() { return position_.view(); }
   const float* volumes() { return volume_.data(); }
   const float* solids() { return solid_.data(); }
+  /// Pa·s; null where all have the fluid's.
+  const float* wall_viscosities() const {
+    return wall_viscosity_.empty() ? nullptr : wall_viscosity_.data();
+  }
+  /// m/s; null where nothing moves.
+  Vec3Arrays velocities() { return velocity_.view(); }
   ScalarField& pressures() { return pressure_; }
+  const ScalarField& pressures() const { return pressure_; }
   ScalarField& step_pressures() { return step_pressure_; }
+  /// Changes how much a sample stands for: nothing where a nozzle opens the wall.
+  void set_sample(std::uint32_t b, float volume, float solid) {
+    volume_[b] = volume;
+    solid_[b] = solid;
+  }
   std::size_t memory_bytes() const;
 
  private:
@@ -32,11 +64,13 @@ class Boundary {
                       const CubicKernel& kernel, float radius);
 
   std::uint32_t count_ = 0;
-  VectorField position_;       ///< m
-  ScalarField volume_;         ///< m³
-  ScalarField solid_;          ///< density ratio that the solid behind a sample makes up for
-  ScalarField pressure_;       ///< Pa, lasts from step to step
-  ScalarField step_pressure_;  ///< Pa, within a step
+  VectorField position_;        ///< m
+  ScalarField volume_;          ///< m³
+  ScalarField solid_;           ///< density ratio that the solid behind a sample makes up for
+  ScalarField pressure_;        ///< Pa, lasts from step to step
+  ScalarField step_pressure_;   ///< Pa, within a step
+  ScalarField wall_viscosity_;  ///< Pa·s; empty where all have the fluid's
+  VectorField velocity_;        ///< m/s; empty where nothing moves
   CellGrid grid_;
 };
 

@@ -12,18 +12,6 @@ namespace {
 /// density than its pressure can hold it up, by this ratio.
 constexpr float slack = 0.03f;
 
-/// Weights of the three cells around by the quadratic B-spline; `place` in cells.
-std::array<float, 3> spline_weights(float place) {
-  const float t = place - std::floor(place) - 0.5f;
-  return {0.5f * (0.5f - t) * (0.5f - t), 0.75f - t * t, 0.5f * (0.5f + t) * (0.5f + t)};
-}
-
-Lanes consecutive(const float* a) {
-  Lanes v;
-  __builtin_memcpy(&v, a, sizeof v);
-  return v;
-}
-
 }  // namespace
 
 CoarsePressure::CoarsePressure(const FluidConstants& constants)
@@ -45,17 +33,20 @@ CoarsePressure::CoarsePressure(const FluidConstants& constants)
 void CoarsePressure::build(const StepContext& s, float delta) {
   map_ = *s.map;
   count_ = static_cast<std::uint32_t>(s.grid->cell_count());
-  neighbour_.assign(std::size_t{slots} * count_, -1);
-  conductance_.assign(std::size_t{slots} * count_, 0.f);
-  for (auto* field : {&diagonal_, &pressure_, &residual_, &direction_, &image_})
+  neighbours_.build(map_, *s.grid);
+  const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
+  grow(conductance_, place(batches * lane_count, 0));
+  s.executor.for_each("coarse grid", batches, [&](std::uint32_t b) {
+    std::fill_n(&conductance_[place(b * lane_count, 0)], slots * lane_count, 0.f);
+  });
+  for (ScalarField* field : {&inverse_diagonal_, &pressure_, &residual_, &direction_, &image_})
     field->resize(count_);
   find_active(s, delta);
   s.executor.for_each("coarse grid", count_, [&](std::uint32_t c) { connect(s, c); });
   s.executor.for_each("coarse grid", count_, [&](std::uint32_t c) {
-    const float* w = &conductance_[std::size_t{slots} * c];
     float around = 0;
     for (int t = 0; t < slots; ++t)
-      around += w[t];
+      around += conductance_[place(c, t)];
     float particles = 0;
     for (std::uint32_t i = s.grid->cell_begin(c); i < s.grid->cell_begin(c + 1); ++i)
       particles += active_[i];
@@ -63,7 +54,10 @@ void CoarsePressure::build(const StepContext& s, float delta) {
     const float lacking =
         lattice_conductance_ * particles - inside - around - conductance_to_walls(s, c);
     // The last part keeps a body of liquid without any surface solvable.
-    diagonal_[c] = around + std::max(0.f, lacking) + 1e-4f * lattice_conductance_ * particles;
+    const float diagonal =
+        around + std::max(0.f, lacking) + 1e-4f * lattice_conductance_ * particles;
+    conductance_[place(c, self)] = diagonal;
+    inverse_diagonal_[c] = diagonal > 0 ? 1 / diagonal : 0.f;
   });
   attach_walls(s);
 }
@@ -77,27 +71,15 @@ void CoarsePressure::find_active(const StepContext& s, float delta) {
   });
 }
 
-/// Links a cell with itself and the cells that come after it in key order, both ways.
+/// Links a cell with those that come after it in key order, both ways.
 void CoarsePressure::connect(const StepContext& s, std::uint32_t cell) {
-  const CellGrid& grid = *s.grid;
-  const auto link = [&](int slot, std::uint32_t other) {
-    const float w = conductance_between(s, cell, other);
-    neighbour_[std::size_t{slots} * cell + slot] = static_cast<std::int32_t>(other);
-    neighbour_[std::size_t{slots} * other + (slots - 1 - slot)] = static_cast<std::int32_t>(cell);
-    conductance_[std::size_t{slots} * cell + slot] = w;
-    conductance_[std::size_t{slots} * other + (slots - 1 - slot)] = w;
-  };
-  neighbour_[std::size_t{slots} * cell + self] = static_cast<std::int32_t>(cell);
-  const std::uint64_t key = grid.cell_key(cell);
-  if (cell + 1 < count_ && grid.cell_key(cell + 1) == key + 1)
-    link(self + 1, cell + 1);
-  for (int row = 5; row < 9; ++row) {
-    const int dy = row % 3 - 1, dz = row / 3 - 1;
-    const std::uint64_t low = key + static_cast<std::uint64_t>(map_.nx * (dy + map_.ny * dz)) - 1;
-    for (std::size_t other = grid.first_cell_from(low);
-         other < count_ && grid.cell_key(other) <= low + 2; ++other)
-      link(3 * row + static_cast<int>(grid.cell_key(other) - low),
-           static_cast<std::uint32_t>(other));
+  for (int slot = self + 1; slot < slots; ++slot) {
+    const std::int32_t at = neighbours_.at(cell, slot);
+    if (at < 0)
+      continue;
+    const auto other = static_cast<std::uint32_t>(at);
+    conductance_[place(cell, slot)] = conductance_[place(other, slots - 1 - slot)] =
+        conductance_between(s, cell, other);
   }
 }
 
@@ -146,9 +128,9 @@ void CoarsePressure::attach_walls(const StepContext& s) {
   s.executor.for_each("coarse grid", solid.wet_count, [&](std::uint32_t k) {
     const std::uint32_t b = solid.wet[k];
     const Vec3<float> xb = solid.position[b];
-    const std::uint32_t* j = solid.fluid.first[b];
+    const std::uint32_t* j = solid.fluid.list(b);
     float best = INFINITY;
-    for (std::uint32_t left = solid.fluid.batches[b] * lane_count; left > 0; --left, ++j) {
+    for (std::uint32_t left = *j++ * lane_count; left > 0; --left, ++j) {
       const Vec3<float> d = xb - x[*j];
       if (dot(d, d) < best) {
         best = dot(d, d);
@@ -159,13 +141,17 @@ void CoarsePressure::attach_walls(const StepContext& s) {
   });
 }
 
-float CoarsePressure::applied(std::uint32_t cell, const std::vector<float>& u) const {
-  const std::int32_t* other = &neighbour_[std::size_t{slots} * cell];
-  const float* w = &conductance_[std::size_t{slots} * cell];
-  float sum = diagonal_[cell] * u[cell];
-  for (int t = 0; t < slots; ++t)
-    if (other[t] >= 0)
-      sum -= w[t] * u[static_cast<std::size_t>(other[t])];
+/// The operator's result in eight cells, from `cell` on, a multiple of eight.
+Lanes CoarsePressure::applied(std::uint32_t cell, const float* u) const {
+  const float* w = &conductance_[place(cell, 0)];
+  const auto conductance = [&](int slot) { return consecutive(w + slot * lane_count); };
+  Lanes sum = conductance(self) * consecutive(u + cell);
+  for (int row = 0; row < slots / 3; ++row) {
+    const auto other = neighbours_.row(cell, row);
+    for (int k = 0; k < 3; ++k)
+      if (3 * row + k != self)
+        sum -= conductance(3 * row + k) * load(u, other[static_cast<std::size_t>(k)]);
+  }
   return sum;
 }
 
@@ -173,61 +159,59 @@ float CoarsePressure::applied(std::uint32_t cell, const std::vector<float>& u) c
 void CoarsePressure::conjugate_gradients(Executor& executor) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-4;
-  const auto inverse = [&](std::uint32_t c) { return diagonal_[c] > 0 ? 1 / diagonal_[c] : 0.f; };
-  const auto norm = [&] {
+  pressure_.fill(0);
+  direction_.fill(0);
+  float *p = pressure_.data(), *r = residual_.data(), *d = direction_.data(),
+        *image = image_.data();
+  const float* inverse = inverse_diagonal_.data();
+  /// Moves by a step along the direction; returns the residual's squared norm.
+  const auto advance = [&](float step) {
     return executor
-        .reduce<Sum>(
-            "coarse pressure", count_,
-            [&](std::uint32_t c) { return Sum{double{residual_[c]} * residual_[c] * inverse(c)}; })
+        .reduce<Sum>("coarse pressure", count_,
+                     [=](std::uint32_t c) {
+                       p[c] += step * d[c];
+                       r[c] -= step * image[c];
+                       return Sum{double{r[c]} * r[c] * inverse[c]};
+                     })
         .value;
   };
-  std::fill(pressure_.begin(), pressure_.end(), 0.f);
-  std::fill(direction_.begin(), direction_.end(), 0.f);
-  double squared = norm(), before = 0;
+  image_.fill(0);
+  double squared = advance(0), before = 0;
   const double goal = squared_tolerance * squared;
   for (int k = 0; k < most_iterations && squared > goal; ++k) {
     const float beta = k > 0 ? static_cast<float>(squared / before) : 0.f;
-    executor.for_each("coarse pressure", count_, [&](std::uint32_t c) {
-      direction_[c] = residual_[c] * inverse(c) + beta * direction_[c];
-    });
+    executor.for_each("coarse pressure", count_,
+                      [=](std::uint32_t c) { d[c] = r[c] * inverse[c] + beta * d[c]; });
     const double curvature = executor
                                  .reduce<Sum>("coarse pressure", count_,
-                                              [&](std::uint32_t c) {
-                                                image_[c] = applied(c, direction_);
-                                                return Sum{double{image_[c]} * direction_[c]};
+                                              [=, this](std::uint32_t c) {
+                                                if (c % lane_count == 0) {
+                                                  const Lanes eight = applied(c, d);
+                                                  __builtin_memcpy(image + c, &eight, sizeof eight);
+                                                }
+                                                return Sum{double{image[c]} * d[c]};
                                               })
                                  .value;
     if (!(curvature > 0))
       return;
-    const float step = static_cast<float>(squared / curvature);
-    executor.for_each("coarse pressure", count_, [&](std::uint32_t c) {
-      pressure_[c] += step * direction_[c];
-      residual_[c] -= step * image_[c];
-    });
     before = squared;
-    squared = norm();
+    squared = advance(static_cast<float>(squared / curvature));
   }
 }
 
-float CoarsePressure::at(const Vec3<float>& x, std::uint32_t cell) const {
-  const auto wx = spline_weights((x.x - map_.origin.x) * map_.inverse_cell);
-  const auto wy = spline_weights((x.y - map_.origin.y) * map_.inverse_cell);
-  const auto wz = spline_weights((x.z - map_.origin.z) * map_.inverse_cell);
-  const std::int32_t* other = &neighbour_[std::size_t{slots} * cell];
-  const float own = pressure_[cell];
-  float sum = 0;
-  for (int k = 0, t = 0; k < 3; ++k)
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i, ++t) {
-        const float p = other[t] >= 0 ? pressure_[static_cast<std::size_t>(other[t])] : own;
-        sum += wx[i] * wy[j] * wz[k] * p;
-      }
-  return sum;
+CoarsePressure::Around CoarsePressure::pressures_around(std::uint32_t cell) const {
+  Around around;
+  for (int t = 0; t < slots; ++t) {
+    const std::int32_t other = neighbours_.at(cell, t);
+    around[static_cast<std::size_t>(t)] =
+        pressure_[other >= 0 ? static_cast<std::uint32_t>(other) : cell];
+  }
+  return around;
 }
 
 std::size_t CoarsePressure::memory_bytes() const {
-  return active_.memory_bytes() + neighbour_.capacity() * 4 + conductance_.capacity() * 4 +
-         5 * pressure_.capacity() * 4 + (nearest_.capacity() + wet_cell_.capacity()) * 4;
+  return active_.memory_bytes() + neighbours_.memory_bytes() + conductance_.capacity() * 4 +
+         5 * pressure_.memory_bytes() + (nearest_.capacity() + wet_cell_.capacity()) * 4;
 }
 
 }  // namespace spindrift::sim

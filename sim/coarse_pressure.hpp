@@ -13,6 +13,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/openmp/cell_neighbours.hpp"
 #include "sim/solver.hpp"
 
 namespace spindrift::sim {
@@ -31,17 +32,20 @@ class CoarsePressure {
   template <class F>
   void solve(const StepContext& s, F residual);
 
-  /// Pressure at x in the given cell, Pa.
-  float at(const Vec3<float>& x, std::uint32_t cell) const;
+  /// f(i, pressure at particle i, Pa) for all particles of a cell.
+  template <class F>
+  void at_particles(const StepContext& s, std::uint32_t cell, F f) const;
   /// Pressure at the wet boundary sample k, Pa: that of the particle nearest to it.
   float at_wall(const StepContext& s, std::uint32_t k) const {
-    return at(s.particles.drifted_position.view()[nearest_[k]], wet_cell_[k]);
+    return at(s.particles.drifted_position.view()[nearest_[k]], pressures_around(wet_cell_[k]));
   }
   std::size_t memory_bytes() const;
 
  private:
-  static constexpr int slots = 27;  ///< cells around a cell, x fastest; itself in the middle
-  static constexpr int self = 13;
+  static constexpr int slots = CellNeighbours::slots, self = CellNeighbours::self;
+  /// Of a cell and those around it, Pa; its own where there is none.
+  using Around = std::array<float, slots>;
+
   /// Part of the solution that is applied. Pressure outlasts the step in the warm start, and with
   /// more than about 1.15 times what is needed the steps would swing from one side to the other.
   static constexpr float gain = 0.45f;
@@ -52,7 +56,15 @@ class CoarsePressure {
   float conductance_to_walls(const StepContext& s, std::uint32_t cell) const;
   void attach_walls(const StepContext& s);
   void conjugate_gradients(Executor& executor);
-  float applied(std::uint32_t cell, const std::vector<float>& u) const;
+  Lanes applied(std::uint32_t cell, const float* u) const;
+  Around pressures_around(std::uint32_t cell) const;
+  template <class Real>
+  Real at(const Vec3<Real>& x, const Around& around) const;
+
+  /// Eight cells' numbers stand beside each other.
+  static std::size_t place(std::uint32_t cell, int slot) {
+    return (std::size_t{cell / lane_count} * slots + slot) * lane_count + cell % lane_count;
+  }
 
   GridMap map_;
   ConductanceKernel kernel_;
@@ -61,10 +73,10 @@ class CoarsePressure {
                                ///< size, 1/m
   std::uint32_t count_ = 0;    ///< cells
 
-  ScalarField active_;                   ///< per particle: 1 or 0
-  std::vector<std::int32_t> neighbour_;  ///< slots per cell; −1 where there is none
-  std::vector<float> conductance_;       ///< slots per cell
-  std::vector<float> diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
+  ScalarField active_;  ///< per particle: 1 or 0
+  CellNeighbours neighbours_;
+  std::vector<float> conductance_;  ///< slots per cell; in its own the operator's diagonal
+  ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
   std::vector<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
 };
 
@@ -83,8 +95,41 @@ void CoarsePressure::solve(const StepContext& s, F residual) {
   conjugate_gradients(s.executor);
   const float scale = gain * aggregate_factor_ / map_.inverse_cell * s.constants.rest_density /
                       (s.time_step * s.time_step);
-  for (float& p : pressure_)
-    p *= scale;
+  for (std::uint32_t c = 0; c < count_; ++c)
+    pressure_[c] *= scale;
+}
+
+/// Weights of the three cells around by the quadratic B-spline; `place` in cells.
+template <class Real>
+std::array<Real, 3> spline_weights(Real place) {
+  const Real t = place - rounded_down(place) - 0.5f;
+  return {0.5f * (0.5f - t) * (0.5f - t), 0.75f - t * t, 0.5f * (0.5f + t) * (0.5f + t)};
+}
+
+template <class Real>
+Real CoarsePressure::at(const Vec3<Real>& x, const Around& around) const {
+  const auto wx = spline_weights((x.x - map_.origin.x) * map_.inverse_cell);
+  const auto wy = spline_weights((x.y - map_.origin.y) * map_.inverse_cell);
+  const auto wz = spline_weights((x.z - map_.origin.z) * map_.inverse_cell);
+  Real sum{};
+  for (std::size_t k = 0, t = 0; k < 3; ++k)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i, ++t)
+        sum += wx[i] * wy[j] * wz[k] * around[t];
+  return sum;
+}
+
+template <class F>
+void CoarsePressure::at_particles(const StepContext& s, std::uint32_t cell, F f) const {
+  const Vec3Arrays x = s.particles.drifted_position.view();
+  const Around around = pressures_around(cell);
+  const std::uint32_t end = s.grid->cell_begin(cell + 1);
+  for (std::uint32_t i = s.grid->cell_begin(cell); i < end; i += lane_count) {
+    const Lanes p =
+        at(Vec3<Lanes>{consecutive(x.x + i), consecutive(x.y + i), consecutive(x.z + i)}, around);
+    for (std::uint32_t k = 0; k < lane_count && i + k < end; ++k)
+      f(i + k, p[k]);
+  }
 }
 
 }  // namespace spindrift::sim

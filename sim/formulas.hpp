@@ -25,24 +25,28 @@ namespace spindrift::sim {
 
 /// What stays the same during a run.
 struct FluidConstants {
-  float spacing;         ///< m
-  float support_radius;  ///< H = 2 spacings, m
-  float rest_density;    ///< ρ₀, kg/m³
-  float volume;          ///< V = m/ρ₀: a full lattice has exactly the rest density, m³
-  float viscosity;       ///< dynamic viscosity μ, Pa·s
-  float wall_viscosity;  ///< μ_w, with which walls hold the liquid back, Pa·s
+  float spacing;          ///< m
+  float support_radius;   ///< H = 2 spacings, m
+  float rest_density;     ///< ρ₀, kg/m³
+  float volume;           ///< V = m/ρ₀: a full lattice has exactly the rest density, m³
+  float viscosity;        ///< dynamic viscosity μ, Pa·s
+  float wall_viscosity;   ///< μ_w, with which walls hold the liquid back, Pa·s
+  float surface_tension;  ///< σ, N/m
+  float contact_angle;    ///< θ, of the liquid on walls, degrees
 };
 
 /// Boundary samples and the lists of those near each fluid particle.
 struct BoundaryView {
-  Vec3Arrays position;                 ///< m
-  const float* volume = nullptr;       ///< m³
-  const float* solid = nullptr;        ///< part of the density ratio that the solid makes up for
-  float* pressure = nullptr;           ///< of the last step, Pa
-  float* step_pressure = nullptr;      ///< the iterate of this step, Pa
-  NeighbourView neighbours;            ///< of each fluid particle: samples
-  NeighbourView fluid;                 ///< of each sample: fluid particles
-  const std::uint32_t* wet = nullptr;  ///< the samples that have fluid neighbours
+  Vec3Arrays position;                    ///< m
+  const float* volume = nullptr;          ///< m³
+  const float* solid = nullptr;           ///< part of the density ratio that the solid makes up for
+  const float* wall_viscosity = nullptr;  ///< μ_b, Pa·s; null: all have the fluid's μ_w
+  Vec3Arrays velocity;                    ///< m/s; null: all are at rest
+  float* pressure = nullptr;              ///< of the last step, Pa
+  float* step_pressure = nullptr;         ///< the iterate of this step, Pa
+  NeighbourView neighbours;               ///< of each fluid particle: samples
+  NeighbourView fluid;                    ///< of each sample: fluid particles
+  const std::uint32_t* wet = nullptr;     ///< the samples that have fluid neighbours
   std::uint32_t wet_count = 0;
   std::uint32_t count = 0;  ///< all samples
 };
@@ -55,6 +59,23 @@ inline float density_ratio(std::uint32_t i, const FluidConstants& c, const Cubic
   const float fluid = neighbours.sum(i, [&](auto j) {
     const auto d = xi - position[j];
     return kernel.value(square_root(dot(d, d)));
+  });
+  const float solid = boundary.neighbours.sum(i, [&](auto b) {
+    const auto d = xi - boundary.position[b];
+    return load(boundary.volume, b) * kernel.value(square_root(dot(d, d)));
+  });
+  return c.volume * fluid + solid;
+}
+
+/// The part of ρᵢ/ρ₀ that is in a nozzle, held[j] = 1, or solid.
+inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
+                                   const CubicKernel& kernel, const Vec3Arrays& position,
+                                   const float* held, const NeighbourView& neighbours,
+                                   const BoundaryView& boundary) {
+  const Vec3<float> xi = position[i];
+  const float fluid = neighbours.sum(i, [&](auto j) {
+    const auto d = xi - position[j];
+    return load(held, j) * kernel.value(square_root(dot(d, d)));
   });
   const float solid = boundary.neighbours.sum(i, [&](auto b) {
     const auto d = xi - boundary.position[b];
@@ -95,12 +116,12 @@ Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c, cons
 }
 
 /// Acceleration by viscosity, m/s², μ/ρ₀ ∇²v, with weights w of the Laplacian:
-///   aᵢ = 1/ρ₀ [ μ Σⱼ w (vⱼ − vᵢ) − 2 μ_w Σ_b (V_b/V) w vᵢ ].
-/// Walls are at rest; a sample lies as far behind the wall as the liquid's first particles are in
-/// front of it, and has minus their velocity for the wall's surface to be at rest. The form that
-/// acts only along the line between two particles (Monaghan 2005) keeps angular momentum as well,
-/// but on a lattice, which laminar flow stays close to, shear along the axes would meet 0.7 of the
-/// viscosity.
+///   aᵢ = 1/ρ₀ [ μ Σⱼ w (vⱼ − vᵢ) + 2 Σ_b μ_b (V_b/V) w (v_b − vᵢ) ].
+/// A sample lies as far behind the wall as the liquid's first particles are in
+/// front of it, and has minus their velocity for the wall's surface to be at rest; where the wall
+/// moves, relative to it. The form that acts only along the line between two particles (Monaghan
+/// 2005) keeps angular momentum as well, but on a lattice, which laminar flow stays close to, shear
+/// along the axes would meet 0.7 of the viscosity.
 inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c,
                                         const DiffusionKernel& kernel, const Vec3Arrays& position,
                                         const Vec3Arrays& velocity, const NeighbourView& neighbours,
@@ -112,7 +133,16 @@ inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c
       const auto d = xi - position[j];
       return kernel.weight(dot(d, d)) * (velocity[j] - vi);
     });
-  if (c.wall_viscosity > 0) {
+  if (boundary.wall_viscosity != nullptr) {
+    const bool moving = boundary.velocity.x != nullptr;
+    sum += (2 / c.volume) * boundary.neighbours.sum(i, [&](auto b) {
+      const auto d = xi - boundary.position[b];
+      const auto weight =
+          load(boundary.wall_viscosity, b) * load(boundary.volume, b) * kernel.weight(dot(d, d));
+      const auto relative = moving ? boundary.velocity[b] - vi : (0.f * weight) * vi - vi;
+      return weight * relative;
+    });
+  } else if (c.wall_viscosity > 0) {
     const float near = boundary.neighbours.sum(i, [&](auto b) {
       const auto d = xi - boundary.position[b];
       return load(boundary.volume, b) * kernel.weight(dot(d, d));

@@ -23,11 +23,12 @@ constexpr double full_rate_time = 0.04, least_rate = 0.5;
 
 }  // namespace
 
-void Leftover::note(Executor& executor, Particles& particles) {
+void Leftover::note(Executor& executor, Particles& particles, const float* held) {
   const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
   float* compression = particles.compression.resized(particles.count);
   executor.for_each("leftover", particles.count, [=](std::uint32_t i) {
-    const float c = ratio[i] - 1;
+    const bool carried = held != nullptr && held[i] > 0;
+    const float c = carried ? 0 : ratio[i] - 1;
     compression[i] = pressure[i] > 0 ? c : std::max(0.f, c);
   });
 }

@@ -21,7 +21,8 @@ class Leftover {
 
   /// Notes the compression that there is, from density ratios and pressures: at the end of a step,
   /// or of particles as they are given.
-  void note(Executor& executor, Particles& particles);
+  /// @param held 1 for particles that a nozzle moves, which do not count; null: there are none
+  void note(Executor& executor, Particles& particles, const float* held);
 
   /// Compression that a step of length dt, s, tried for the given time, may leave, per particle.
   /// @param acceleration of the body, m/s²

@@ -26,6 +26,15 @@ Vec3<float> lowest_corner(const Settings& settings) {
 
 }  // namespace
 
+double energy_of(const FluidConstants& constants, const Settings& settings,
+                 const glm::vec3& position, const glm::vec3& velocity) {
+  const Vec3<float> lowest = lowest_corner(settings);
+  const glm::dvec3 fall = glm::dvec3(position) - glm::dvec3(lowest.x, lowest.y, lowest.z);
+  const double mass = double{constants.rest_density} * constants.volume;
+  return mass * (0.5 * glm::dot(glm::dvec3(velocity), glm::dvec3(velocity)) -
+                 glm::dot(fall, glm::dvec3(settings.forces.gravity)));
+}
+
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
                  const FluidConstants& constants, const Settings& settings, float radius) {
   const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
@@ -45,11 +54,12 @@ Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighb
     return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), p * p, error};
   });
   const double mass = double{constants.rest_density} * constants.volume;
-  return {.mean_compression = t.compression / particles.count,
+  const double count = std::max(1u, particles.count);
+  return {.mean_compression = t.compression / count,
           .max_compression = t.max_compression,
           .kinetic_energy = 0.5 * mass * t.squared_speed,
           .potential_energy = mass * t.height,
-          .rms_pressure = std::sqrt(t.squared_pressure / particles.count)};
+          .rms_pressure = std::sqrt(t.squared_pressure / count)};
 }
 
 }  // namespace spindrift::sim

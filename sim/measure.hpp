@@ -13,6 +13,11 @@ struct Measured {
   double rms_pressure = 0;      ///< root mean square over the particles, Pa
 };
 
+/// Kinetic and potential energy of one particle, J, the potential against the domain's lowest
+/// corner along gravity. @param position m @param velocity m/s
+double energy_of(const FluidConstants& constants, const Settings& settings,
+                 const glm::vec3& position, const glm::vec3& velocity);
+
 /// Recomputes every particle's density ratio from its position with the full neighbourhood, listed
 /// anew within `radius`, m, and sums up. Leaves the positions as the drifted ones.
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,

@@ -20,7 +20,7 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
                    n, radius);
   wet_.clear();
   for (std::uint32_t b = 0; b < boundary_.count(); ++b) {
-    if (wet_lists_.view().batches[b] > 0)
+    if (!wet_lists_.view().empty(b))
       wet_.push_back(b);
     else
       boundary_.pressures()[b] = boundary_.step_pressures()[b] = 0;
@@ -31,13 +31,13 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
   const std::uint32_t n = particles.count;
   const std::uint32_t* order = grid_.order().data();
   const PhaseClock::Scope timed(executor.clock(), "reorder");
-  scratch_.resize(n);
-  scratch_ids_.resize(n);
+  // The density ratios are of the last step, and nobody's any more.
+  ScalarField& scratch = particles.density_ratio;
   const auto permute = [&](ScalarField& field) {
     const float* from = field.data();
-    float* to = scratch_.data();
+    float* to = scratch.data();
     executor.for_each("reorder one field", n, [=](std::uint32_t i) { to[i] = from[order[i]]; });
-    field.swap(scratch_);
+    field.swap(scratch);
   };
   for (VectorField* field : {&particles.position, &particles.velocity, &particles.drifted_position,
                              &particles.drifted_velocity})
@@ -46,14 +46,12 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
   permute(particles.pressure);
   if (!particles.compression.empty())
     permute(particles.compression);
-  for (std::uint32_t i = 0; i < n; ++i)
-    scratch_ids_[i] = particles.ids[order[i]];
-  particles.ids.swap(scratch_ids_);
+  grid_.permute(particles.ids);
 }
 
 std::size_t Neighbourhood::memory_bytes() const {
   return grid_.memory_bytes() + fluid_.memory_bytes() + boundary_lists_.memory_bytes() +
-         wet_lists_.memory_bytes() + scratch_.memory_bytes() + scratch_ids_.capacity() * 4;
+         wet_lists_.memory_bytes() + wet_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace spindrift::sim

@@ -22,6 +22,8 @@ class Neighbourhood {
     return {.position = boundary_.positions(),
             .volume = boundary_.volumes(),
             .solid = boundary_.solids(),
+            .wall_viscosity = boundary_.wall_viscosities(),
+            .velocity = boundary_.velocities(),
             .pressure = boundary_.pressures().data(),
             .step_pressure = boundary_.step_pressures().data(),
             .neighbours = boundary_lists_.view(),
@@ -41,8 +43,6 @@ class Neighbourhood {
   NeighbourLists fluid_, boundary_lists_;
   NeighbourLists wet_lists_;        ///< of each boundary sample: fluid particles
   std::vector<std::uint32_t> wet_;  ///< boundary samples with fluid neighbours
-  ScalarField scratch_;
-  std::vector<std::uint32_t> scratch_ids_;
 };
 
 }  // namespace spindrift::sim

@@ -19,7 +19,13 @@ inline Vec3<float> from_glm(glm::vec3 v) {
 /// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
 class ScalarField {
  public:
-  void resize(std::uint32_t n) { values_.resize(n + 2 * lane_count, 0.f); }
+  void resize(std::uint32_t n) {
+    const std::size_t size = n + std::size_t{2 * lane_count};
+    // A vector would take twice the memory as soon as it grows a little.
+    if (!values_.empty() && size > values_.capacity())
+      values_.reserve(size + size / 16);
+    values_.resize(size, 0.f);
+  }
   float* data() { return values_.data(); }
   const float* data() const { return values_.data(); }
   /// The data of n elements; those that were there keep their values.
@@ -70,7 +76,7 @@ struct Particles {
   VectorField position;  ///< m
   VectorField velocity;  ///< m/s, over the last step (leapfrog: at the middle of that step)
   ScalarField pressure;  ///< Pa, of the last step
-  std::vector<std::uint32_t> ids;  ///< number in the initial lattice
+  std::vector<std::uint32_t> ids;  ///< never used twice
   /// ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there is pressure. Only
   /// with a solver that corrects it; empty else.
   ScalarField compression;

@@ -129,6 +129,11 @@ class Pcisph : public PressureSolver {
     const float dt2 = s.time_step * s.time_step;
     const Largest squared_move =
         s.executor.reduce<Largest>("pressure acceleration", p.count, [&](std::uint32_t i) {
+          if (s.is_held(i)) {
+            acceleration.set(i, {0, 0, 0});
+            corrected.set(i, drifted[i]);
+            return Largest{};
+          }
           const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
                                                       pressure, s.neighbours, s.boundary);
           acceleration.set(i, a);
@@ -149,6 +154,8 @@ class Pcisph : public PressureSolver {
         s.executor.reduce<Residual>("predict density", p.count, [&](std::uint32_t i) {
           p.density_ratio[i] =
               density_ratio(i, s.constants, density_kernel_, corrected, s.neighbours, s.boundary);
+          if (s.is_held(i))
+            return Residual{};
           const float wanted = compression_of(s, i);
           const bool too_dense = s.excess[i] > settings_.max_compression;
           const float compression =
@@ -198,14 +205,14 @@ class Pcisph : public PressureSolver {
   void correct_everywhere(const StepContext& s, float delta) {
     coarse_.build(s, delta);
     coarse_.solve(s, [&](std::uint32_t k) { return acceleration_.residual(k); });
-    const Vec3Arrays x = s.particles.drifted_position.view();
     float* p = s.particles.step_pressure.data();
     const float part = relaxation * delta;
-    s.executor.for_each(
-        "correct pressure", static_cast<std::uint32_t>(s.grid->cell_count()), [&](std::uint32_t c) {
-          for (std::uint32_t i = s.grid->cell_begin(c); i < s.grid->cell_begin(c + 1); ++i)
-            p[i] = std::max(0.f, p[i] + part * compression_of(s, i) + coarse_.at(x[i], c));
-        });
+    s.executor.for_each("correct pressure", static_cast<std::uint32_t>(s.grid->cell_count()),
+                        [&](std::uint32_t c) {
+                          coarse_.at_particles(s, c, [&](std::uint32_t i, float everywhere) {
+                            p[i] = std::max(0.f, p[i] + part * compression_of(s, i) + everywhere);
+                          });
+                        });
     s.executor.for_each("correct pressure", s.boundary.wet_count, [&](std::uint32_t k) {
       float& pb = s.boundary.step_pressure[s.boundary.wet[k]];
       pb = std::max(0.f, pb + part * wet_compression_[k] + coarse_.at_wall(s, k));

@@ -24,8 +24,6 @@ struct PressureProbe {
   glm::vec3 point{0.f};  ///< m
 };
 
-enum class Direction { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
-
 /// How far the liquid has come.
 struct FrontProbe {
   Direction direction = Direction::plus_x;  ///< the way it goes

@@ -30,6 +30,23 @@ inline Lanes square_root(Lanes x) {
 #endif
 }
 
+inline float rounded_down(float x) {
+  return std::floor(x);
+}
+
+/// Of numbers that 32-bit integers can hold.
+inline Lanes rounded_down(Lanes x) {
+  const Lanes whole = __builtin_convertvector(__builtin_convertvector(x, IndexLanes), Lanes);
+  return whole > x ? whole - 1.f : whole;
+}
+
+/// Eight elements of an array that follow each other.
+inline Lanes consecutive(const float* a) {
+  Lanes v;
+  __builtin_memcpy(&v, a, sizeof v);
+  return v;
+}
+
 /// The elements `j` of an array.
 inline float load(const float* a, std::uint32_t j) {
   return a[j];
@@ -37,7 +54,11 @@ inline float load(const float* a, std::uint32_t j) {
 
 inline Lanes load(const float* a, IndexLanes j) {
 #ifdef __AVX2__
-  return _mm256_i32gather_ps(a, reinterpret_cast<__m256i>(j), 4);
+  // The instruction merges into its target. With zeros as what it merges into it need not wait for
+  // what the register held; _mm256_i32gather_ps() leaves that open, and gathers wait in a row.
+  const __m256 zeros = _mm256_setzero_ps();
+  const __m256 all = _mm256_castsi256_ps(_mm256_set1_epi32(-1));
+  return _mm256_mask_i32gather_ps(zeros, a, reinterpret_cast<__m256i>(j), all, 4);
 #else
   Lanes r;
   for (int k = 0; k < lane_count; ++k)

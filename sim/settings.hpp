@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,6 +54,34 @@ struct Volume {
   glm::vec3 velocity{0.f};  ///< initial velocity, m/s
 };
 
+/// A round opening that liquid enters through.
+struct Disc {
+  glm::vec3 center{0.f};              ///< m
+  glm::vec3 direction{0.f, -1, 0.f};  ///< the way the liquid goes, at right angles to the opening
+  float radius = 0.1f;                ///< m
+};
+
+/// A rectangular one.
+struct Rectangle {
+  glm::vec3 center{0.f};              ///< m
+  glm::vec3 direction{0.f, -1, 0.f};  ///< the way the liquid goes, at right angles to the opening
+  glm::vec3 up{0.f, 1.f, 0.f};        ///< along its height, as far as that is across the direction
+  float width = 0.2f;                 ///< m
+  float height = 0.2f;                ///< m
+};
+
+using Opening = std::variant<Disc, Rectangle>;
+
+/// Liquid that enters the domain: area times speed in volume. It is carried through a nozzle, four
+/// spacings long, that ends at the opening, and is free from there on.
+struct Emitter {
+  Opening opening = Disc{};
+  float speed = 1.f;      ///< m/s
+  float from = 0.f;       ///< when the first liquid comes out, s
+  float to = 1e5f;        ///< when it ends, s
+  int max_particles = 0;  ///< it ends after this many as well, whole layers; 0: any number
+};
+
 struct FluidSettings {
   float spacing =
       0.025f;  ///< distance between particle centres at rest, m; support radius is 2 spacings
@@ -60,18 +89,65 @@ struct FluidSettings {
   float viscosity = 0.01f;      ///< dynamic viscosity, Pa·s
   float wall_viscosity = 0.f;  ///< with which walls and obstacles hold the liquid back, Pa·s; 0: it
                                ///< slips, the liquid's own viscosity: it sticks
+  float surface_tension = 0.f;  ///< σ against the air, N/m; 0: none
+  float contact_angle = 90.f;   ///< at which liquid that has surface tension meets walls and
+                                ///< obstacles, degrees; 180: they are as air to it
   std::vector<Volume> volumes{{Box{{0.f, 0.f, 0.f}, {1.f, 1.f, 0.8f}}, glm::vec3{0.f}}};
+  std::vector<Emitter> emitters = {};
 };
 
-/// The closed box that holds the liquid; its inner faces.
+enum class Direction { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
+
+/// The box that holds the liquid; its inner faces.
 struct DomainSettings {
-  glm::vec3 min{0.f};               ///< m
-  glm::vec3 max{3.2f, 2.0f, 0.8f};  ///< m
+  glm::vec3 min{0.f};                ///< m
+  glm::vec3 max{3.2f, 2.0f, 0.8f};   ///< m
+  std::vector<Direction> open = {};  ///< faces without a wall, by the way out through them
 };
 
-/// A solid, fixed body.
+/// Particles that come into it are taken away.
+struct Sink {
+  Shape shape = Box{};
+};
+
+/// One key of a body's way, relative to where the scene puts it.
+struct MotionKey {
+  float time = 0.f;          ///< s
+  glm::vec3 translate{0.f};  ///< m
+  glm::vec3 rotate{0.f};     ///< about x, then y, then z, through the pivot, degrees
+};
+
+enum class Interpolation { smooth, linear };
+
+/// A swing to and fro: amplitudes times sin(2π frequency time + phase).
+struct Oscillation {
+  glm::vec3 translate{0.f};  ///< amplitude, m
+  glm::vec3 rotate{0.f};     ///< amplitude about x, then y, then z, degrees
+  float frequency = 1.f;     ///< Hz
+  float phase = 0.f;         ///< at time 0, degrees
+};
+
+/// A steady turn about an axis through the pivot.
+struct Spin {
+  glm::vec3 axis{0.f, 1.f, 0.f};  ///< counter-clockwise seen from its tip; need not be unit
+  float frequency = 0.5f;         ///< turns per second
+};
+
+/// How a body moves: where it is depends on nothing but the time. It spins, is rotated, both about
+/// the pivot, and is translated; the parts of keyframes and oscillations add up.
+struct Motion {
+  glm::vec3 pivot{0.f};                                 ///< where the scene puts it, m
+  std::vector<MotionKey> keyframes;                     ///< in the order of their times
+  Interpolation interpolation = Interpolation::smooth;  ///< between keys; before and after: at rest
+  std::vector<Oscillation> oscillations;
+  std::optional<Spin> spin = std::nullopt;
+};
+
+/// A solid body, fixed or moving.
 struct Obstacle {
   Shape shape = Box{};
+  std::optional<float> wall_viscosity = std::nullopt;  ///< Pa·s; none: the fluid's
+  std::optional<Motion> motion = std::nullopt;         ///< none: fixed
 };
 
 /// One key of a body acceleration that varies in time, linear in between, constant outside.
@@ -110,8 +186,14 @@ struct Settings {
   FluidSettings fluid;
   DomainSettings domain;
   std::vector<Obstacle> obstacles;
+  std::vector<Sink> sinks;
   ForceSettings forces;
   SolverSettings solver;
+
+  /// Whether particles come or go during a run.
+  bool exchanges_particles() const {
+    return !fluid.emitters.empty() || !sinks.empty() || !domain.open.empty();
+  }
 };
 
 }  // namespace spindrift::sim

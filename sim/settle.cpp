@@ -38,11 +38,12 @@ Vec3<float> direction_of(std::uint32_t id) {
 
 class Settling {
  public:
-  Settling(Executor& e, Particles& p, Neighbourhood& n, const FluidConstants& c,
+  Settling(Executor& e, Particles& p, Neighbourhood& n, Inflow& i, const FluidConstants& c,
            const SolverSettings& s, const GridMap& m, const ContactView& w, float r)
       : executor(e),
         particles(p),
         neighbourhood(n),
+        inflow(i),
         constants(c),
         settings(s),
         map(m),
@@ -70,6 +71,13 @@ class Settling {
     const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
     executor.for_each("settle", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
     neighbourhood.update(executor, particles, radius);
+    inflow.mark(particles);
+  }
+
+  /// Whether a nozzle moves particle i.
+  bool is_held(std::uint32_t i) const {
+    const float* held = inflow.held();
+    return held != nullptr && held[i] > 0;
   }
 
   Compression compression() {
@@ -81,7 +89,9 @@ class Settling {
     float* above = particles.compression.resized(particles.count);
     return executor.reduce<Compression>("settle", particles.count, [&](std::uint32_t i) {
       above[i] =
-          std::max(0.f, density_ratio(i, constants, kernel, position, neighbours, solid) - 1);
+          is_held(i)
+              ? 0
+              : std::max(0.f, density_ratio(i, constants, kernel, position, neighbours, solid) - 1);
       return Compression{above[i], above[i]};
     });
   }
@@ -92,7 +102,7 @@ class Settling {
     const Vec3Arrays x = particles.position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
     executor.for_each("settle", particles.count, [&](std::uint32_t i) {
-      if (neighbours.alone(i, particles.count))
+      if (neighbours.alone(i, particles.count) && !is_held(i))
         x.set(i, contact.resolve_off_walls(x[i], 0.5f * constants.spacing));
     });
   }
@@ -108,7 +118,7 @@ class Settling {
         const auto d = xi - at[j];
         return dot(d, d) < near * near ? 1.f + 0.f * d.x : 0.f * d.x;
       });
-      if (count > 1.5f)
+      if (count > 1.5f && !is_held(i))
         x.set(i, contact.resolve(xi + 5 * near * direction_of(particles.ids[i])));
     });
     find_neighbours();
@@ -134,6 +144,7 @@ class Settling {
                                                .grid = &neighbourhood.grid(),
                                                .map = &map,
                                                .contact = contact,
+                                               .held = inflow.held(),
                                                .time_step = settings.max_time_step,
                                                .refusals = refusals,
                                                .kick = settings.max_time_step,
@@ -152,6 +163,7 @@ class Settling {
   Executor& executor;
   Particles& particles;
   Neighbourhood& neighbourhood;
+  Inflow& inflow;
   const FluidConstants& constants;
   const SolverSettings& settings;
   const GridMap& map;
@@ -162,10 +174,11 @@ class Settling {
 
 }  // namespace
 
-int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, Inflow& inflow,
            const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
            const ContactView& contact, float radius) {
-  return Settling(executor, particles, neighbourhood, constants, settings, map, contact, radius)
+  return Settling(executor, particles, neighbourhood, inflow, constants, settings, map, contact,
+                  radius)
       .run();
 }
 

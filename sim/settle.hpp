@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/contact.hpp"
+#include "sim/inflow.hpp"
 #include "sim/neighbourhood.hpp"
 
 namespace spindrift::sim {
@@ -9,11 +10,11 @@ namespace spindrift::sim {
 /// Moves particles that start denser than the solver's tolerances allow, as where volumes overlap
 /// or reach into a wall, apart until they are not. Positions only: nothing gets a velocity from it,
 /// so that the energy of the start is that of the liquid as it can be. Leaves what is not too dense
-/// alone.
+/// alone, and what a nozzle moves.
 /// @param radius within which neighbours are listed, m
 /// @return how many sweeps it took; 0 where nothing was too dense
 /// @throws std::invalid_argument when the domain has no room for the liquid
-int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, Inflow& inflow,
            const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
            const ContactView& contact, float radius);
 

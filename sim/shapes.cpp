@@ -179,7 +179,10 @@ std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing) {
 }
 
 std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing) {
-  return box_surface(domain.min - 0.5f * spacing, domain.max + 0.5f * spacing, spacing);
+  auto points = box_surface(domain.min - 0.5f * spacing, domain.max + 0.5f * spacing, spacing);
+  const OpenFaces open(domain);
+  std::erase_if(points, [&](const glm::vec3& p) { return open.is_beyond({p.x, p.y, p.z}); });
+  return points;
 }
 
 glm::vec3 wall_lattice_step(const DomainSettings& domain, float spacing) {
@@ -203,6 +206,10 @@ Box bounds_of(const Shape& shape) {
                  },
                  [](const TriangleMesh& m) { return m.body->bounds(); }},
       shape);
+}
+
+bool is_inside(const Shape& shape, const glm::vec3& p) {
+  return contains(shape, {p.x, p.y, p.z});
 }
 
 Vec3<float> push_out(const Shape& shape, Vec3<float> p) {

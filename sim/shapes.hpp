@@ -23,6 +23,9 @@ std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing)
 /// Distance between neighbouring samples of the walls along x, y and z, m; about the spacing.
 glm::vec3 wall_lattice_step(const DomainSettings& domain, float spacing);
 
+/// Whether a point, m, is inside a shape.
+bool is_inside(const Shape& shape, const glm::vec3& p);
+
 /// The smallest box around a shape.
 Box bounds_of(const Shape& shape);
 

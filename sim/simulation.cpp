@@ -3,17 +3,23 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "sim/inflow.hpp"
 #include "sim/initial.hpp"
 #include "sim/leftover.hpp"
 #include "sim/measure.hpp"
 #include "sim/neighbourhood.hpp"
+#include "sim/outflow.hpp"
+#include "sim/particle_state.hpp"
 #include "sim/pcisph.hpp"
 #include "sim/settle.hpp"
-#include "sim/shapes.hpp"
+#include "sim/surface_tension.hpp"
 #include "sim/time_step.hpp"
 #include "sim/viscosity.hpp"
+#include "sim/walls.hpp"
 #include "sim/wcsph.hpp"
 
 namespace spindrift::sim {
@@ -23,14 +29,16 @@ namespace {
 /// where the lists were made.
 constexpr float list_radius_factor = 1.05f;
 
-struct Motion {
+struct Moved {
   float squared_speed = 0;
   std::int64_t contacts = 0;
   double squared_pressure = 0;
-  void join(const Motion& o) {
+  double wall_impulse = 0;  ///< Σ of what contacts change velocities by, times the walls', m²/s²
+  void join(const Moved& o) {
     squared_speed = std::max(squared_speed, o.squared_speed);
     contacts += o.contacts;
     squared_pressure += o.squared_pressure;
+    wall_impulse += o.wall_impulse;
   }
 };
 
@@ -42,7 +50,7 @@ struct Simulation::Impl {
   Executor executor;
   Particles particles;
   GridMap map;
-  Boundary boundary;
+  Walls walls;
   Neighbourhood neighbourhood;
   std::unique_ptr<PressureSolver> solver;
   TimeStepControl time_step;
@@ -50,32 +58,37 @@ struct Simulation::Impl {
   float max_speed = 0;
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
+  double drift_impulse = 0;  ///< as Moved::wall_impulse
+  std::optional<SurfaceTension> surface_tension;
   Viscosity viscosity;
   Leftover leftover;
+  Inflow inflow;
+  Outflow outflow;
+  Exchange exchange;  ///< since the last frame
 
   Impl(const Settings& s, const InitialParticles& initial)
       : settings(s),
         constants(constants_of(s.fluid)),
-        map(GridMap::over(from_glm(s.domain.min - s.fluid.spacing),
-                          from_glm(s.domain.max + s.fluid.spacing),
-                          list_radius_factor * constants.support_radius)),
-        boundary(s, map, constants.support_radius),
-        neighbourhood(map, boundary),
+        map(grid_over(s, list_radius_factor * constants.support_radius)),
+        walls(s, map, constants.support_radius),
+        neighbourhood(map, walls.boundary()),
         solver(make_solver(initial)),
-        time_step(s.solver, constants, solver->time_step_limit()),
-        viscosity(constants),
-        leftover(s.solver, constants.support_radius) {
-    if (initial.positions.empty())
+        time_step(s.solver, constants,
+                  std::min(solver->time_step_limit(), SurfaceTension::time_step_limit(constants))),
+        viscosity(constants, largest_wall_viscosity(s)),
+        leftover(s.solver, constants.support_radius),
+        inflow(s, constants, static_cast<std::uint32_t>(initial.positions.size())),
+        outflow(s, constants) {
+    if (constants.surface_tension > 0)
+      surface_tension.emplace(constants);
+    if (initial.positions.empty() && !inflow.exists())
       throw std::invalid_argument(
-          "the scene has no particles: no volume is as wide as fluid.spacing");
-    const auto n = static_cast<std::uint32_t>(initial.positions.size());
-    particles.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      particles.position.view().set(i, from_glm(initial.positions[i]));
-      particles.velocity.view().set(i, from_glm(initial.velocities[i]));
-      particles.ids[i] = i;
-      max_speed = std::max(max_speed, glm::length(initial.velocities[i]));
-    }
+          "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
+          "emitter");
+    set_particles(particles, initial);
+    max_speed = largest_speed(executor, particles);
+    inflow.attach(walls);
+    walls.move(executor, 0, 0);
   }
 
   std::unique_ptr<PressureSolver> make_solver(const InitialParticles& initial) const {
@@ -86,16 +99,36 @@ struct Simulation::Impl {
                       c > 0 ? c : default_speed_of_sound(settings, initial));
   }
 
-  ContactView contact() const {
-    return {from_glm(settings.domain.min), from_glm(settings.domain.max), settings.obstacles.data(),
-            settings.obstacles.size()};
+  /// @throws std::invalid_argument for a frame that is not one of these settings'
+  void check_start(const Frame& start) const {
+    const std::size_t n = start.positions.size();
+    if (n != particles.count && !inflow.exists() && !outflow.exists())
+      throw std::invalid_argument(fmt::format(
+          "cannot go on from a frame of {} particles: the scene has {}", n, particles.count));
+    const std::uint32_t end = inflow.next_id(start.time);
+    if (std::any_of(start.ids.begin(), start.ids.end(), [&](auto id) { return id >= end; }))
+      throw std::invalid_argument(fmt::format(
+          "cannot go on from a frame with a particle of a number above {}: the scene has none yet",
+          end));
   }
 
-  bool viscous() const { return constants.viscosity > 0 || constants.wall_viscosity > 0; }
+  /// The fastest speed that limits the next step, m/s: of the particles, or in it of walls or in a
+  /// nozzle.
+  double fastest(double end) const {
+    const double longest = std::min(end - time, double{settings.solver.max_time_step});
+    const double distance = settings.solver.cfl * constants.support_radius;
+    const double step = walls.step_within(distance, time, longest);
+    const double speed =
+        std::max(max_speed, inflow.speed_within(time, time + settings.solver.max_time_step));
+    return step < longest ? std::max(speed, distance / step) : speed;
+  }
+
+  bool viscous() const { return constants.viscosity > 0 || largest_wall_viscosity(settings) > 0; }
   bool corrects_density() const { return settings.solver.type == SolverType::pcisph; }
 
   void find_neighbours() {
     neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
+    inflow.mark(particles);
   }
 
   StepContext context_of(double dt, int refusals, const float* excess) {
@@ -106,7 +139,8 @@ struct Simulation::Impl {
             .boundary = neighbourhood.boundary(),
             .grid = &neighbourhood.grid(),
             .map = &map,
-            .contact = contact(),
+            .contact = walls.contact(),
+            .held = inflow.held(),
             .time_step = static_cast<float>(dt),
             .refusals = refusals,
             .kick = kick(dt),
@@ -125,16 +159,20 @@ struct Simulation::Impl {
   /// One accepted step of at most dt; returns its length, s.
   double step(double dt, FrameStatistics& statistics) {
     for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
+      walls.move(executor, time, time + dt);
       drift(dt);
       find_neighbours();
+      if (surface_tension && surface_tension->apply(context_of(dt, refusals, nullptr)))
+        find_neighbours();
       if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
         find_neighbours();
       const StepContext context = context_of(dt, refusals, allowed_leftover(dt, refusals));
+      inflow.allow(context, particles.excess.data());
       const StepResult result = solver->solve(context);
       statistics.iterations += result.iterations;
       if (!result.accepted)
         continue;
-      statistics.contacts += integrate(context, result.pressure_factor);
+      statistics.contacts += integrate(context, result.pressure_factor, statistics);
       note_leftover();
       break;
     }
@@ -154,23 +192,35 @@ struct Simulation::Impl {
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view();
-    const ContactView walls = contact();
-    drift_contacts = executor
-                         .reduce<Motion>("drift", particles.count,
-                                         [=](std::uint32_t i) {
-                                           const Vec3<float> velocity = v[i] + dv;
-                                           const Vec3<float> free = x[i] + step * velocity;
-                                           const Vec3<float> held = walls.resolve(free);
-                                           const Vec3<float> push = held - free;
-                                           drifted_x.set(i, held);
-                                           drifted_v.set(i, velocity + (1 / step) * push);
-                                           return Motion{0, dot(push, push) > 0};
-                                         })
-                         .contacts;
+    const ContactView contact = walls.contact();
+    inflow.mark(particles);
+    const float* carried = inflow.held();
+    const Moved motion = executor.reduce<Moved>("drift", particles.count, [=](std::uint32_t i) {
+      const Vec3<float> velocity = v[i] + dv;
+      const Vec3<float> free = x[i] + step * velocity;
+      const Vec3<float> stopped = contact.resolve(x[i], free);
+      const Vec3<float> push = stopped - free;
+      drifted_x.set(i, stopped);
+      drifted_v.set(i, velocity + (1 / step) * push);
+      if (carried != nullptr && carried[i] > 0)
+        return Moved{};
+      return Moved{0, dot(push, push) > 0, 0, wall_impulse(contact, stopped, push, step)};
+    });
+    drift_contacts = motion.contacts;
+    drift_impulse = motion.wall_impulse;
+    inflow.carry(executor, particles, time + dt);
+  }
+
+  /// A contact's change of velocity times the wall's velocity, m²/s².
+  static double wall_impulse(const ContactView& contact, const Vec3<float>& stopped,
+                             const Vec3<float>& push, float time_step) {
+    if (contact.bodies.empty() || !(dot(push, push) > 0))
+      return 0;
+    return double{dot(push, contact.velocity_behind(stopped, push))} / double{time_step};
   }
 
   /// Takes over the corrected positions; returns how many particles were stopped by a surface.
-  std::int64_t integrate(const StepContext& s, float pressure_factor) {
+  std::int64_t integrate(const StepContext& s, float pressure_factor, FrameStatistics& statistics) {
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
                      drifted_x = particles.drifted_position.view(),
                      drifted_v = particles.drifted_velocity.view(),
@@ -178,8 +228,9 @@ struct Simulation::Impl {
                      a = particles.acceleration.view();
     float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data();
     const float dt = s.time_step;
-    const Motion motion =
-        executor.reduce<Motion>("integrate", particles.count, [=, &s](std::uint32_t i) {
+    const ContactView contact = s.contact;
+    const Moved motion =
+        executor.reduce<Moved>("integrate", particles.count, [=, &s](std::uint32_t i) {
           const Vec3<float> free = drifted_x[i] + (dt * dt) * a[i];
           const Vec3<float> push = corrected[i] - free;
           const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
@@ -188,23 +239,41 @@ struct Simulation::Impl {
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * new_pressure[i];
-          return Motion{dot(velocity, velocity), dot(push, push) > 0,
-                        double{pressure[i]} * pressure[i]};
+          return Moved{dot(velocity, velocity), dot(push, push) > 0,
+                       double{pressure[i]} * pressure[i],
+                       wall_impulse(contact, corrected[i], push, dt)};
         });
-    mean_pressure = std::sqrt(motion.squared_pressure / particles.count);
+    mean_pressure = std::sqrt(motion.squared_pressure / std::max(1u, particles.count));
     const BoundaryView& solid = s.boundary;
+    if (walls.move())
+      statistics.wall_work +=
+          double{constants.rest_density} * constants.volume *
+              (motion.wall_impulse + drift_impulse) +
+          wall_work(executor, constants, settings.solver.pressure_kernel, particles, solid, dt);
     for (std::uint32_t k = 0; k < solid.wet_count; ++k)
       solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
     max_speed = std::sqrt(motion.squared_speed);
     return motion.contacts + drift_contacts;
   }
 
-  void note_leftover() {
-    if (corrects_density())
-      leftover.note(executor, particles);
+  /// What comes and goes at the end of a step, or at the start of a run.
+  void exchange_particles() {
+    if (!inflow.exists() && !outflow.exists())
+      return;
+    exchange += outflow.apply(executor, particles, inflow.held());
+    exchange += inflow.advance(particles, walls, time, time_step.last(),
+                               body_acceleration(settings.forces, time));
+    if (inflow.disturbs())
+      measure_start();
+    max_speed = largest_speed(executor, particles);
   }
 
-  /// Measures particles as they are given.
+  void note_leftover() {
+    if (corrects_density())
+      leftover.note(executor, particles, inflow.held());
+  }
+
+  /// Measures particles as they are given, or where others have come close to them.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
@@ -213,14 +282,17 @@ struct Simulation::Impl {
 
   /// The liquid as it is now.
   void measure(FrameStatistics& statistics) {
+    walls.move(executor, time, time);
     const Measured m =
         spindrift::sim::measure(executor, particles, neighbourhood, constants, settings,
                                 list_radius_factor * constants.support_radius);
+    inflow.mark(particles);
     // The same number for a run in one piece and one that goes on from here.
     mean_pressure = m.rms_pressure;
     statistics.mean_compression = m.mean_compression;
     statistics.max_compression = m.max_compression;
     statistics.max_speed = max_speed;
+    statistics.particles = particles.count;
     statistics.kinetic_energy = m.kinetic_energy;
     statistics.potential_energy = m.potential_energy;
   }
@@ -228,8 +300,8 @@ struct Simulation::Impl {
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) {
     FrameStatistics statistics;
     if (time_step.last() == 0) {
-      settle(executor, particles, neighbourhood, constants, settings.solver, map, contact(),
-             list_radius_factor * constants.support_radius);
+      settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
+             walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
     }
     const double tiny = 1e-9 * std::max(1.0, std::abs(end));
@@ -237,10 +309,14 @@ struct Simulation::Impl {
       if (stop != nullptr && *stop)
         return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
+      const double goal = inflow.next_begin(time, end);
       const double wanted =
-          time_step.next(end - time, max_speed, std::sqrt(dot(a, a)), mean_pressure);
+          time_step.next(goal - time, fastest(goal), std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
+      if (end - time <= tiny)
+        time = end;
+      exchange_particles();
       statistics.min_time_step =
           statistics.steps == 0 ? dt : std::min(statistics.min_time_step, dt);
       statistics.max_time_step = std::max(statistics.max_time_step, dt);
@@ -249,36 +325,26 @@ struct Simulation::Impl {
     time = end;
     measure(statistics);
     note_leftover();
+    statistics.exchange = std::exchange(exchange, {});
     return statistics;
   }
 };
 
 Simulation::Simulation(const Settings& settings)
-    : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {}
+    : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {
+  impl_->exchange_particles();
+}
 
 Simulation::Simulation(const Settings& settings, const Frame& start)
     : impl_(std::make_unique<Impl>(settings, fill_volumes(settings))) {
-  Particles& p = impl_->particles;
-  if (start.positions.size() != p.count)
-    throw std::invalid_argument(
-        fmt::format("cannot go on from a frame of {} particles: the scene has {}",
-                    start.positions.size(), p.count));
-  float squared_speed = 0;
-  for (std::uint32_t i = 0; i < p.count; ++i) {
-    p.position.view().set(i, from_glm(start.positions[i]));
-    p.velocity.view().set(i, from_glm(start.velocities[i]));
-    p.pressure[i] = start.pressures[i];
-    p.ids[i] = start.ids[i];
-    const Vec3<float> v = from_glm(start.velocities[i]);
-    squared_speed = std::max(squared_speed, dot(v, v));
-  }
-  if (start.boundary_pressures.size() != impl_->boundary.count())
-    throw std::invalid_argument("cannot go on from a frame with other walls or obstacles");
-  std::copy(start.boundary_pressures.begin(), start.boundary_pressures.end(),
-            impl_->boundary.pressures().data());
-  impl_->max_speed = std::sqrt(squared_speed);
+  impl_->check_start(start);
+  set_particles(impl_->particles, start);
+  impl_->max_speed = largest_speed(impl_->executor, impl_->particles);
+  impl_->walls.move(impl_->executor, start.time, start.time);
+  impl_->walls.set_pressures(start.boundary_pressures);
   impl_->time = start.time;
   impl_->time_step.set_last(start.last_time_step);
+  impl_->inflow.resume(impl_->walls, start.time);
   impl_->measure_start();
 }
 
@@ -289,20 +355,11 @@ FrameStatistics Simulation::advance_to(double time, const std::atomic<bool>* sto
 }
 
 Frame Simulation::frame() const {
-  const Particles& p = impl_->particles;
   Frame frame;
   frame.time = impl_->time;
   frame.last_time_step = impl_->time_step.last();
-  frame.ids = p.ids;
-  Boundary& boundary = impl_->boundary;
-  frame.boundary_pressures.assign(boundary.pressures().data(),
-                                  boundary.pressures().data() + boundary.count());
-  for (std::uint32_t i = 0; i < p.count; ++i) {
-    frame.positions.push_back(p.position.at(i));
-    frame.velocities.push_back(p.velocity.at(i));
-    frame.densities.push_back(p.density_ratio[i] * impl_->constants.rest_density);
-    frame.pressures.push_back(p.pressure[i]);
-  }
+  frame.boundary_pressures = impl_->walls.pressures();
+  put_particles(impl_->particles, impl_->constants.rest_density, frame);
   return frame;
 }
 
@@ -310,13 +367,14 @@ std::size_t Simulation::particle_count() const {
   return impl_->particles.count;
 }
 std::size_t Simulation::boundary_particle_count() const {
-  return impl_->boundary.count();
+  return impl_->walls.boundary().count();
 }
 
 std::size_t Simulation::memory_bytes() const {
   return impl_->particles.memory_bytes() + impl_->neighbourhood.memory_bytes() +
-         impl_->boundary.memory_bytes() + impl_->solver->memory_bytes() +
-         impl_->viscosity.memory_bytes();
+         impl_->walls.memory_bytes() + impl_->solver->memory_bytes() +
+         impl_->viscosity.memory_bytes() +
+         (impl_->surface_tension ? impl_->surface_tension->memory_bytes() : 0);
 }
 
 std::vector<PhaseTime> Simulation::phase_times() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/exchange.hpp"
 #include "sim/settings.hpp"
 
 namespace spindrift::sim {
@@ -21,8 +22,9 @@ struct Frame {
       velocities;  ///< over the step that ended here (leapfrog: at its middle), m/s
   std::vector<float>
       densities;  ///< kg/m³, recomputed from the positions with the full neighbourhood
-  std::vector<float> pressures;           ///< Pa
-  std::vector<std::uint32_t> ids;         ///< the particle's number in the initial lattice
+  std::vector<float> pressures;    ///< Pa
+  std::vector<std::uint32_t> ids;  ///< the particle's number, never another's: in the initial
+                                   ///< lattice, then in the order of coming in
   std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa
   double last_time_step = 0;              ///< of the step that ended here, s; 0 at the start
 };
@@ -41,6 +43,9 @@ struct FrameStatistics {
   double kinetic_energy = 0;    ///< J
   double potential_energy = 0;  ///< J, against the domain's lowest corner along gravity
   std::int64_t contacts = 0;    ///< particles stopped by a wall's surface rather than by pressure
+  double wall_work = 0;         ///< J, of obstacles that move on the liquid
+  std::int64_t particles = 0;   ///< in the domain
+  Exchange exchange;            ///< what came and went
 };
 
 struct PhaseTime {

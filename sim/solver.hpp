@@ -19,8 +19,9 @@ struct StepContext {
   const CellGrid* grid;  ///< the cells that the particles are sorted by
   const GridMap* map;
   ContactView contact;
-  float time_step;  ///< Δt, s
-  int refusals;     ///< how often this step has been tried with a larger Δt
+  const float* held;  ///< 1: a nozzle moves the particle, and nothing else; null: none
+  float time_step;    ///< Δt, s
+  int refusals;       ///< how often this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
   const float* excess;  ///< compression that a particle may keep in this step; not for basic SPH
   float rate;           ///< part of the tolerance that a step as short as this may add
@@ -30,7 +31,7 @@ struct StepContext {
 
   /// A particle with no others near it: the domain's walls stop it as far off as they are from
   /// liquid at rest, where they alone do not make it too dense, and do not throw it back.
-  bool alone(std::uint32_t i) const { return neighbours.alone(i, particles.count); }
+  bool alone(std::uint32_t i) const { return neighbours.alone(i, particles.count) && !is_held(i); }
   float rest_distance() const { return 0.5f * constants.spacing; }  ///< m
 
   /// Where a drifted particle gets by a given move, m.
@@ -39,6 +40,8 @@ struct StepContext {
     return alone(i) ? contact.stop_off_walls(p, particles.position.view()[i], rest_distance())
                     : contact.resolve(p);
   }
+
+  bool is_held(std::uint32_t i) const { return held != nullptr && held[i] > 0; }
 };
 
 struct StepResult {
@@ -48,7 +51,8 @@ struct StepResult {
 };
 
 /// Leaves `acceleration` (by pressure), `step_pressure` and `corrected_position` such that
-///   corrected position = contact(drifted position + Δt² acceleration).
+///   corrected position = contact(drifted position + Δt² acceleration),
+/// and, of a particle that is held, the drifted position, with no acceleration.
 class PressureSolver {
  public:
   virtual ~PressureSolver() = default;

@@ -10,22 +10,22 @@ namespace {
 
 /// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
 /// to twice that rate, and a step must stay below 2 / (2 rate). Half of it is taken.
-double stable_step(const FluidConstants& c, const DiffusionKernel& kernel) {
+double stable_step(const FluidConstants& c, float wall_viscosity, const DiffusionKernel& kernel) {
   double sum = 0;
   for_lattice_points(c.spacing, c.support_radius, [&](const Vec3<float>& p) {
     if (dot(p, p) > 0)
       sum += kernel.weight(dot(p, p));
   });
-  const double rate = std::max(c.viscosity, 2 * c.wall_viscosity) / c.rest_density * sum;
+  const double rate = std::max(c.viscosity, 2 * wall_viscosity) / c.rest_density * sum;
   return rate > 0 ? 0.5 / rate : INFINITY;
 }
 
 }  // namespace
 
-Viscosity::Viscosity(const FluidConstants& constants)
+Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
     : support_radius_(constants.support_radius),
       kernel_(constants.spacing, constants.support_radius),
-      explicit_limit_(stable_step(constants, kernel_)) {}
+      explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
 
 bool Viscosity::apply(const StepContext& s) {
   // Lists reach this far beyond the support radius, and pressure needs the most of it.
@@ -42,7 +42,9 @@ bool Viscosity::apply(const StepContext& s) {
   const float dt = s.time_step;
   const ContactView walls = s.contact;
   const Largest squared_move =
-      s.executor.reduce<Largest>("apply viscosity", n, [=](std::uint32_t i) {
+      s.executor.reduce<Largest>("apply viscosity", n, [=, &s](std::uint32_t i) {
+        if (s.is_held(i))
+          return Largest{};
         const Vec3<float> change = dv[i], move = dt * change;
         v.set(i, v[i] + change);
         x.set(i, walls.resolve(x[i] + move));
@@ -51,14 +53,21 @@ bool Viscosity::apply(const StepContext& s) {
   return std::sqrt(squared_move.value) > largest_move * support_radius_;
 }
 
+/// What a nozzle moves is not slowed by its neighbours.
+Vec3<float> Viscosity::acceleration(std::uint32_t i, const StepContext& s,
+                                    const BoundaryView& walls, const Vec3Arrays& x,
+                                    const Vec3Arrays& v) const {
+  return s.is_held(i) ? Vec3<float>{0, 0, 0}
+                      : viscous_acceleration(i, s.constants, kernel_, x, v, s.neighbours, walls);
+}
+
 /// Leaves the change of velocity in `acceleration`.
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
   const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
                    dv = p.acceleration.view();
   s.executor.for_each("viscosity", p.count, [&](std::uint32_t i) {
-    dv.set(i, s.time_step *
-                  viscous_acceleration(i, s.constants, kernel_, x, v, s.neighbours, s.boundary));
+    dv.set(i, s.time_step * acceleration(i, s, s.boundary, x, v));
   });
 }
 
@@ -74,6 +83,8 @@ void Viscosity::implicit_step(const StepContext& s) {
   const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view(), r = residual_.view(),
                    direction = p.corrected_position.view(), image = image_.view();
   explicit_step(s);
+  BoundaryView walls = s.boundary;  // a change of velocity does not meet the walls' own
+  walls.velocity = {};
   double squared = s.executor
                        .reduce<Sum>("viscosity", n,
                                     [=](std::uint32_t i) {
@@ -93,9 +104,7 @@ void Viscosity::implicit_step(const StepContext& s) {
                          [&](std::uint32_t i) {
                            const Vec3<float> d = direction[i];
                            const Vec3<float> a =
-                               d - s.time_step * viscous_acceleration(i, s.constants, kernel_, x,
-                                                                      direction, s.neighbours,
-                                                                      s.boundary);
+                               d - s.time_step * acceleration(i, s, walls, x, direction);
                            image.set(i, a);
                            return Sum{double{dot(a, d)}};
                          })

@@ -8,7 +8,8 @@ namespace spindrift::sim {
 
 class Viscosity {
  public:
-  explicit Viscosity(const FluidConstants& constants);
+  /// @param wall_viscosity the largest of any wall, Pa·s
+  Viscosity(const FluidConstants& constants, float wall_viscosity);
 
   /// Changes the drifted velocities and positions. Returns true if it moved a particle so far that
   /// its neighbours are no longer those that are listed.
@@ -17,6 +18,8 @@ class Viscosity {
   std::size_t memory_bytes() const { return residual_.memory_bytes() + image_.memory_bytes(); }
 
  private:
+  Vec3<float> acceleration(std::uint32_t i, const StepContext& s, const BoundaryView& walls,
+                           const Vec3Arrays& x, const Vec3Arrays& v) const;
   void explicit_step(const StepContext& s);
   void implicit_step(const StepContext& s);
 

@@ -42,6 +42,11 @@ class Wcsph : public PressureSolver {
     });
     const float dt2 = s.time_step * s.time_step;
     s.executor.for_each("pressure acceleration", p.count, [&](std::uint32_t i) {
+      if (s.is_held(i)) {
+        acceleration.set(i, {0, 0, 0});
+        corrected.set(i, drifted[i]);
+        return;
+      }
       const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
                                                   pressure, s.neighbours, s.boundary);
       acceleration.set(i, a);

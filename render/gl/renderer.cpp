@@ -62,9 +62,19 @@ class Drawing {
     }
   }
 
-  void set_obstacles(const Mesh& mesh) {
+  void set_obstacles(const Mesh& mesh, std::span<const glm::vec3> reach) {
+    const Bounds before = casters_;
     casters_ = {stage_.min, stage_.max};
-    shadow_.reset();  // its area may change
+    for (const std::span<const glm::vec3> points :
+         {std::span<const glm::vec3>(mesh.vertices), reach}) {
+      for (const glm::vec3& point : points) {
+        casters_.min = glm::min(casters_.min, point);
+        casters_.max = glm::max(casters_.max, point);
+      }
+    }
+    if (casters_.min != before.min || casters_.max != before.max) {
+      shadow_.reset();  // its area changes
+    }
     if (mesh.triangles.empty()) {
       obstacles_.reset();
       return;
@@ -74,10 +84,6 @@ class Drawing {
     }
     obstacles_->mesh.set(mesh);
     obstacles_->shape = mesh;
-    for (const glm::vec3& vertex : mesh.vertices) {
-      casters_.min = glm::min(casters_.min, vertex);
-      casters_.max = glm::max(casters_.max, vertex);
-    }
   }
 
   Image draw(const Mesh& mesh, const View& view) {
@@ -242,9 +248,9 @@ Renderer::Renderer(int width, int height, const LookSettings& look, const LightS
 
 Renderer::~Renderer() = default;
 
-void Renderer::set_obstacles(const Mesh& mesh) {
+void Renderer::set_obstacles(const Mesh& mesh, std::span<const glm::vec3> reach) {
   const EglContext::Current current(impl_->context);
-  impl_->drawing->set_obstacles(mesh);
+  impl_->drawing->set_obstacles(mesh, reach);
 }
 
 Image Renderer::draw(const Mesh& liquid, const View& view) {

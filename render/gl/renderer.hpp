@@ -77,7 +77,9 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Solid obstacles, drawn in every picture until set again.
-  void set_obstacles(const Mesh& mesh);
+  /// @param reach points that they may come to when they are set again: the shadow's map covers
+  /// those as well, so that it stays the same while obstacles move
+  void set_obstacles(const Mesh& mesh, std::span<const glm::vec3> reach = {});
 
   /// One picture: the stage, the obstacles and the liquid.
   Image draw(const Mesh& liquid, const View& view);

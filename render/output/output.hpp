@@ -62,13 +62,14 @@ void write_ply(const std::filesystem::path& file, const Mesh& mesh);
 
 /// Attributes of particles for write_ply; all spans are as long as `positions`, or empty.
 struct ParticleAttributes {
-  std::span<const glm::vec3> positions;   ///< m
-  std::span<const glm::vec3> velocities;  ///< m/s
-  std::span<const float> densities;       ///< kg/m³
-  std::span<const float> pressures;       ///< Pa
+  std::span<const glm::vec3> positions;         ///< m
+  std::span<const glm::vec3> velocities;        ///< m/s
+  std::span<const float> densities;             ///< kg/m³
+  std::span<const float> pressures;             ///< Pa
+  std::span<const std::uint32_t> numbers = {};  ///< of the particles, each its own
 };
 
-/// Binary little-endian PLY of particles: x y z [vx vy vz] [density] [pressure].
+/// Binary little-endian PLY of particles: x y z [vx vy vz] [density] [pressure] [id].
 /// @throws std::invalid_argument for spans of unequal length, std::runtime_error naming the file.
 void write_ply(const std::filesystem::path& file, const ParticleAttributes& particles);
 

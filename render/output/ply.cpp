@@ -83,6 +83,7 @@ void write_ply(const std::filesystem::path& file, const ParticleAttributes& part
   const bool velocities = present(particles.velocities.size(), count, "velocities");
   const bool densities = present(particles.densities.size(), count, "densities");
   const bool pressures = present(particles.pressures.size(), count, "pressures");
+  const bool numbers = present(particles.numbers.size(), count, "numbers");
 
   std::string header = header_begin() + "comment units: x y z in m";
   header += velocities ? ", vx vy vz in m/s" : "";
@@ -92,6 +93,7 @@ void write_ply(const std::filesystem::path& file, const ParticleAttributes& part
   header += velocities ? float_properties({"vx", "vy", "vz"}) : "";
   header += densities ? float_properties({"density"}) : "";
   header += pressures ? float_properties({"pressure"}) : "";
+  header += numbers ? "property uint id\n" : "";
   header += "end_header\n";
 
   AtomicFile output(file);
@@ -106,6 +108,9 @@ void write_ply(const std::filesystem::path& file, const ParticleAttributes& part
     }
     if (pressures) {
       put(output, particles.pressures[i]);
+    }
+    if (numbers) {
+      put(output, particles.numbers[i]);
     }
   }
   output.commit();

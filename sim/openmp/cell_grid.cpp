@@ -5,34 +5,39 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace spindrift::sim {
 namespace {
 
-constexpr int digit_bits = 8;
+constexpr int digit_bits = 11;
 constexpr std::size_t digit_values = 1u << digit_bits;
 
-/// One stable pass of a radix sort over the digit at `shift`: every thread counts and then places
-/// one consecutive part of the input.
-void radix_pass(const std::vector<std::uint64_t>& keys, const std::vector<std::uint32_t>& values,
-                std::vector<std::uint64_t>& sorted_keys, std::vector<std::uint32_t>& sorted_values,
-                int shift) {
-  const std::size_t n = keys.size();
+/// One stable pass of a radix sort of points by the digit of their key at `shift`: every thread
+/// counts and then places one consecutive part of the input. Keys are computed where they are
+/// needed, which costs less than to carry them along.
+/// @param point_at the k-th point of the input
+template <class PointAt, class KeyOf>
+void radix_pass(std::uint32_t n, PointAt point_at, KeyOf key_of, int shift,
+                std::vector<std::uint32_t>& sorted) {
   std::vector<std::array<std::uint32_t, digit_values>> counts;
 #pragma omp parallel
   {
-    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
-    const auto t = static_cast<std::size_t>(omp_get_thread_num());
-    const std::size_t begin = n * t / threads, end = n * (t + 1) / threads;
-    const auto digit = [&](std::size_t i) { return (keys[i] >> shift) & (digit_values - 1); };
+    const auto threads = static_cast<std::uint64_t>(omp_get_num_threads());
+    const auto t = static_cast<std::uint64_t>(omp_get_thread_num());
+    const auto begin = static_cast<std::uint32_t>(n * t / threads),
+               end = static_cast<std::uint32_t>(n * (t + 1) / threads);
+    const auto digit = [&](std::uint32_t point) {
+      return (key_of(point) >> shift) & (digit_values - 1);
+    };
 #pragma omp single
     counts.resize(threads);
     auto& mine = counts[t];
     mine.fill(0);
-    for (std::size_t i = begin; i < end; ++i)
-      ++mine[digit(i)];
+    for (std::uint32_t k = begin; k < end; ++k)
+      ++mine[digit(point_at(k))];
 #pragma omp barrier
 #pragma omp single
     {
@@ -41,10 +46,9 @@ void radix_pass(const std::vector<std::uint64_t>& keys, const std::vector<std::u
         for (auto& c : counts)
           place += std::exchange(c[d], place);
     }
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t place = mine[digit(i)]++;
-      sorted_keys[place] = keys[i];
-      sorted_values[place] = values[i];
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t point = point_at(k);
+      sorted[mine[digit(point)]++] = point;
     }
   }
 }
@@ -70,35 +74,72 @@ GridMap GridMap::over(Vec3<float> min, Vec3<float> max, float cell) {
 }
 
 void CellGrid::sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count) {
-  keys_.resize(count);
-  scratch_keys_.resize(count);
   order_.resize(count);
-  scratch_order_.resize(count);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < std::int64_t{count}; ++i) {
-    const auto k = static_cast<std::uint32_t>(i);
-    keys_[k] = map.key(points[k]);
-    order_[k] = k;
-  }
+  scratch_.resize(count);
+  const auto key_of = [&](std::uint32_t point) { return map.key(points[point]); };
   const int bits = static_cast<int>(std::bit_width(map.key_count()));
-  for (int shift = 0; shift < bits; shift += digit_bits) {
-    radix_pass(keys_, order_, scratch_keys_, scratch_order_, shift);
-    keys_.swap(scratch_keys_);
-    order_.swap(scratch_order_);
+  radix_pass(
+      count, [](std::uint32_t k) { return k; }, key_of, 0, order_);
+  for (int shift = digit_bits; shift < bits; shift += digit_bits) {
+    radix_pass(
+        count, [&](std::uint32_t k) { return order_[k]; }, key_of, shift, scratch_);
+    order_.swap(scratch_);
   }
-  find_cells();
+  find_cells(key_of);
 }
 
-void CellGrid::find_cells() {
-  cell_keys_.clear();
-  cell_begin_.clear();
-  for (std::uint32_t i = 0; i < keys_.size(); ++i) {
-    if (i == 0 || keys_[i] != keys_[i - 1]) {
-      cell_keys_.push_back(keys_[i]);
-      cell_begin_.push_back(i);
+/// Every thread finds the cells that begin in one consecutive part of the points.
+template <class KeyOf>
+void CellGrid::find_cells(KeyOf key_of) {
+  const auto n = static_cast<std::uint32_t>(order_.size());
+  struct Cells {
+    std::vector<std::uint64_t> keys;
+    std::vector<std::uint32_t> begins;
+  };
+  std::vector<std::size_t> first_cell;
+#pragma omp parallel
+  {
+    const auto threads = static_cast<std::uint64_t>(omp_get_num_threads());
+    const auto t = static_cast<std::uint64_t>(omp_get_thread_num());
+    const auto begin = static_cast<std::uint32_t>(n * t / threads),
+               end = static_cast<std::uint32_t>(n * (t + 1) / threads);
+    Cells found;
+    std::uint64_t last = begin > 0 ? key_of(order_[begin - 1]) : ~std::uint64_t{0};
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint64_t key = key_of(order_[k]);
+      if (key != last) {
+        found.keys.push_back(key);
+        found.begins.push_back(k);
+      }
+      last = key;
     }
+#pragma omp single
+    first_cell.assign(threads + 1, 0);
+    first_cell[t + 1] = found.keys.size();
+#pragma omp barrier
+#pragma omp single
+    {
+      std::partial_sum(first_cell.begin(), first_cell.end(), first_cell.begin());
+      grow(cell_keys_, first_cell.back());
+      grow(cell_begin_, first_cell.back() + 1);
+      cell_begin_.back() = n;
+    }
+    std::copy(found.keys.begin(), found.keys.end(), cell_keys_.begin() + first_cell[t]);
+    std::copy(found.begins.begin(), found.begins.end(), cell_begin_.begin() + first_cell[t]);
   }
-  cell_begin_.push_back(static_cast<std::uint32_t>(keys_.size()));
+}
+
+void CellGrid::permute(std::vector<std::uint32_t>& values) {
+  const auto n = static_cast<std::int64_t>(order_.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < n; ++k)
+    scratch_[k] = values[order_[k]];
+  values.swap(scratch_);
+}
+
+void CellGrid::forget_order() {
+  order_ = {};
+  scratch_ = {};
 }
 
 std::size_t CellGrid::first_cell_from(std::uint64_t key) const {
@@ -107,19 +148,18 @@ std::size_t CellGrid::first_cell_from(std::uint64_t key) const {
 }
 
 std::size_t CellGrid::memory_bytes() const {
-  return (keys_.capacity() + scratch_keys_.capacity() + cell_keys_.capacity()) * 8 +
-         (order_.capacity() + scratch_order_.capacity() + cell_begin_.capacity()) * 4;
+  return cell_keys_.capacity() * 8 +
+         (order_.capacity() + scratch_.capacity() + cell_begin_.capacity()) * 4;
 }
 
-const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
+const std::array<RowCursors::Cells, 9>& RowCursors::cells_around(std::uint64_t key) {
   const std::size_t n = grid_.cell_count();
   std::size_t row = 0;
   for (std::int64_t dz = -1; dz <= 1; ++dz) {
     for (std::int64_t dy = -1; dy <= 1; ++dy, ++row) {
-      const auto low = static_cast<std::uint64_t>(static_cast<std::int64_t>(key) +
-                                                  map_.nx * (dy + map_.ny * dz) - 1);
-      std::size_t& first = first_[row];
-      std::size_t& last = last_[row];
+      auto& [low, first, last] = cells_[row];
+      low = static_cast<std::uint64_t>(static_cast<std::int64_t>(key) +
+                                       map_.nx * (dy + map_.ny * dz) - 1);
       if (!started_)
         first = last = grid_.first_cell_from(low);
       while (first < n && grid_.cell_key(first) < low)
@@ -127,10 +167,16 @@ const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
       last = std::max(first, last);
       while (last < n && grid_.cell_key(last) <= low + 2)
         ++last;
-      runs_[row] = {grid_.cell_begin(first), grid_.cell_begin(last)};
     }
   }
   started_ = true;
+  return cells_;
+}
+
+const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
+  cells_around(key);
+  for (std::size_t row = 0; row < runs_.size(); ++row)
+    runs_[row] = {grid_.cell_begin(cells_[row].first), grid_.cell_begin(cells_[row].last)};
   return runs_;
 }
 

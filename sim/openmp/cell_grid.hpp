@@ -37,6 +37,17 @@ struct GridMap {
   }
 };
 
+/// Makes room for so many values; what they were is lost. Takes memory only where there is too
+/// little, and then not twice as much, as vectors do.
+template <class T>
+void grow(std::vector<T>& values, std::size_t size) {
+  if (size > values.capacity()) {
+    values = {};
+    values.reserve(size + size / 8);
+  }
+  values.resize(size);
+}
+
 /// The occupied cells of a sorted set of points.
 class CellGrid {
  public:
@@ -45,6 +56,10 @@ class CellGrid {
   void sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count);
 
   const std::vector<std::uint32_t>& order() const { return order_; }
+  /// Brings one number per point into the new order, once.
+  void permute(std::vector<std::uint32_t>& values);
+  /// Gives back the permutation's memory, where points stay as they are from now on.
+  void forget_order();
   std::size_t cell_count() const { return cell_keys_.size(); }
   std::uint64_t cell_key(std::size_t c) const { return cell_keys_[c]; }
   /// First point of cell c; c may be cell_count(), then it is the number of points.
@@ -54,10 +69,10 @@ class CellGrid {
   std::size_t memory_bytes() const;
 
  private:
-  void find_cells();
+  template <class KeyOf>
+  void find_cells(KeyOf key_of);
 
-  std::vector<std::uint64_t> keys_, scratch_keys_;
-  std::vector<std::uint32_t> order_, scratch_order_;
+  std::vector<std::uint32_t> order_, scratch_;
   std::vector<std::uint64_t> cell_keys_;
   std::vector<std::uint32_t> cell_begin_;
 };
@@ -69,6 +84,13 @@ class RowCursors {
  public:
   RowCursors(const GridMap& map, const CellGrid& grid) : map_(map), grid_(grid) {}
 
+  /// The occupied cells of a row: keys from `low` to low + 2, indices from first to last − 1.
+  struct Cells {
+    std::uint64_t low;
+    std::size_t first, last;
+  };
+  const std::array<Cells, 9>& cells_around(std::uint64_t key);
+
   struct Run {
     std::uint32_t begin, end;
   };
@@ -77,7 +99,7 @@ class RowCursors {
  private:
   const GridMap& map_;
   const CellGrid& grid_;
-  std::array<std::size_t, 9> first_{}, last_{};
+  std::array<Cells, 9> cells_{};
   std::array<Run, 9> runs_{};
   bool started_ = false;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <stdexcept>
 
 namespace spindrift::sim {
 namespace {
@@ -57,11 +58,13 @@ inline unsigned closer_than(const Vec3<float>& p, const Vec3Arrays& others, std:
 #endif
 }
 
-/// All points of the runs closer to p than the radius, padded with the sentinel to whole batches.
+/// All points of the runs closer to p than the radius, padded with the sentinel to whole batches,
+/// after their number.
 std::uint32_t* list_of(const Vec3<float>& p, const std::array<RowCursors::Run, 9>& runs,
                        const Vec3Arrays& others, std::uint32_t sentinel, float squared_radius,
-                       std::uint32_t* out) {
-  std::uint32_t* const begin = out;
+                       std::uint32_t* const list) {
+  std::uint32_t* const begin = list + 1;
+  std::uint32_t* out = begin;
   for (const auto& run : runs) {
     for (std::uint32_t j = run.begin; j < run.end; j += lane_count) {
       unsigned mask = closer_than(p, others, j, squared_radius);
@@ -72,59 +75,103 @@ std::uint32_t* list_of(const Vec3<float>& p, const std::array<RowCursors::Run, 9
   }
   while ((out - begin) % lane_count != 0)
     *out++ = sentinel;
+  *list = static_cast<std::uint32_t>((out - begin) / lane_count);
   return out;
 }
 
+constexpr std::uint32_t empty_list = 0;
+
 }  // namespace
+
+/// One thread's place in the chunks. Lists lie one after the other; how long they will be need not
+/// be known, only how long they can be, so that nothing is copied and hardly anything left unused.
+class NeighbourLists::Writer {
+ public:
+  explicit Writer(NeighbourLists& lists) : lists_(lists) {}
+
+  /// Room for a list of up to `most` numbers.
+  std::uint32_t* room(std::size_t most) {
+    if (static_cast<std::size_t>(end_ - at_) < most)
+      take(most);
+    return at_;
+  }
+  /// Keeps the list that was written there, up to `end`; returns its place.
+  std::uint32_t keep(std::uint32_t* end) {
+    if (*at_ == 0)
+      return 0;
+    const std::uint32_t place = place_;
+    place_ += static_cast<std::uint32_t>(end - at_);
+    at_ = end;
+    return place;
+  }
+
+ private:
+  void take(std::size_t most) {
+    constexpr std::size_t size = NeighbourView::chunk_size;
+    const std::size_t count = (most + size - 1) / size;
+#pragma omp critical(spindrift_neighbour_chunks)
+    {
+      if (count > 1) {
+        at_ = lists_.large_.emplace_back(count * size).data();
+      } else {
+        if (lists_.taken_ == lists_.chunks_.size())
+          lists_.chunks_.push_back(std::make_unique_for_overwrite<std::uint32_t[]>(size));
+        at_ = lists_.chunks_[lists_.taken_++].get();
+      }
+      place_ = static_cast<std::uint32_t>(lists_.table_.size() * size);
+      for (std::size_t k = 0; k < count; ++k)
+        lists_.table_.push_back(at_ + k * size);
+    }
+    end_ = at_ + count * size;
+  }
+
+  NeighbourLists& lists_;
+  std::uint32_t *at_ = nullptr, *end_ = nullptr;
+  std::uint32_t place_ = 0;
+};
 
 void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Vec3Arrays& points,
                            std::uint32_t count, const CellGrid& other_grid,
                            const Vec3Arrays& others, std::uint32_t other_count, float radius) {
-  first_.resize(count);
-  batches_.resize(count);
+  place_.resize(count);
+  table_.assign(1, &empty_list);
+  large_.clear();
+  taken_ = 0;
   const std::size_t cells = grid.cell_count();
   const std::size_t blocks = (cells + cells_per_block - 1) / cells_per_block;
-  if (blocks_.size() < blocks)
-    blocks_.resize(blocks);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t b = 0; b < blocks; ++b) {
-    RowCursors cursors(map, other_grid);
-    auto& buffer = blocks_[b];
-    std::size_t used = 0;
-    const std::size_t first_cell = b * cells_per_block;
-    const std::size_t last_cell = std::min(cells, first_cell + cells_per_block);
-    for (std::size_t c = first_cell; c < last_cell; ++c) {
-      const auto& runs = cursors.around(grid.cell_key(c));
-      std::size_t candidates = 0;
-      for (const auto& run : runs)
-        candidates += run.end - run.begin;
-      for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i) {
-        batches_[i] = 0;
-        if (candidates == 0)
-          continue;
-        if (buffer.size() < used + candidates + 2 * lane_count)
-          buffer.resize((used + candidates + 2 * lane_count) * 5 / 4);
-        std::uint32_t* const begin = buffer.data() + used;
-        const std::uint32_t* const end =
-            list_of(points[i], runs, others, other_count, radius * radius, begin);
-        batches_[i] = static_cast<std::uint32_t>((end - begin) / lane_count);
-        used += static_cast<std::size_t>(end - begin);
+#pragma omp parallel
+  {
+    Writer writer(*this);
+#pragma omp for schedule(dynamic, 1)
+    for (std::size_t b = 0; b < blocks; ++b) {
+      RowCursors cursors(map, other_grid);
+      const std::size_t last_cell = std::min(cells, (b + 1) * cells_per_block);
+      for (std::size_t c = b * cells_per_block; c < last_cell; ++c) {
+        const auto& runs = cursors.around(grid.cell_key(c));
+        std::size_t candidates = 0;
+        for (const auto& run : runs)
+          candidates += run.end - run.begin;
+        for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i) {
+          if (candidates == 0) {
+            place_[i] = 0;
+            continue;
+          }
+          std::uint32_t* const room = writer.room(candidates + 2 * lane_count + 1);
+          place_[i] =
+              writer.keep(list_of(points[i], runs, others, other_count, radius * radius, room));
+        }
       }
     }
-    // Only now is the buffer where it stays.
-    const std::uint32_t* at = buffer.data();
-    for (std::uint32_t i = grid.cell_begin(first_cell); i < grid.cell_begin(last_cell); ++i) {
-      first_[i] = at;
-      at += batches_[i] * lane_count;
-    }
   }
+  if (table_.size() > std::size_t{1} << (32 - NeighbourView::chunk_bits))
+    throw std::length_error("more than four billion neighbours; use a larger fluid.spacing");
 }
 
 std::size_t NeighbourLists::memory_bytes() const {
-  std::size_t bytes = first_.capacity() * sizeof(void*) + batches_.capacity() * 4;
-  for (const auto& block : blocks_)
-    bytes += block.capacity() * 4;
-  return bytes;
+  std::size_t numbers = place_.capacity() + chunks_.size() * NeighbourView::chunk_size;
+  for (const auto& list : large_)
+    numbers += list.capacity();
+  return numbers * sizeof(std::uint32_t) + (table_.capacity() + chunks_.capacity()) * sizeof(void*);
 }
 
 }  // namespace spindrift::sim

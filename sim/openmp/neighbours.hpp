@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sim/openmp/cell_grid.hpp"
@@ -18,20 +19,28 @@ constexpr float sentinel_position = 1e15f;
 
 /// Read access to the lists, for use inside the per-particle formulas.
 struct NeighbourView {
-  const std::uint32_t* const* first = nullptr;
-  const std::uint32_t* batches = nullptr;
+  const std::uint32_t* place = nullptr;          ///< of each particle's list, in the chunks
+  const std::uint32_t* const* chunks = nullptr;  ///< memory in pieces of `chunk_size` numbers
+  static constexpr int chunk_bits = 16;
+  static constexpr std::size_t chunk_size = std::size_t{1} << chunk_bits;
+
+  /// The list of particle i: how many batches of eight indices it has, then those indices.
+  const std::uint32_t* list(std::uint32_t i) const {
+    return chunks[place[i] >> chunk_bits] + (place[i] & (chunk_size - 1));
+  }
+  bool empty(std::uint32_t i) const { return *list(i) == 0; }
 
   /// Whether particle i of `count` has no other of its own kind near it: after itself, the padding
   /// begins.
-  bool alone(std::uint32_t i, std::uint32_t count) const { return first[i][1] == count; }
+  bool alone(std::uint32_t i, std::uint32_t count) const { return list(i)[2] == count; }
 
   /// Σⱼ f(j) over the neighbours j of particle i; f takes eight indices and returns Lanes or
   /// Vec3<Lanes>.
   template <class F>
   auto sum(std::uint32_t i, F f) const {
     decltype(f(IndexLanes{})) total{};
-    const std::uint32_t* j = first[i];
-    for (std::uint32_t b = batches[i]; b > 0; --b, j += lane_count) {
+    const std::uint32_t* j = list(i);
+    for (std::uint32_t b = *j++; b > 0; --b, j += lane_count) {
       IndexLanes lanes;
       __builtin_memcpy(&lanes, j, sizeof lanes);
       total += f(lanes);
@@ -46,17 +55,23 @@ class NeighbourLists {
   /// `radius`, which is at most the cell size of `map`. Where both are the same set, a point is its
   /// own neighbour. `others` holds one more point than `other_count`, the sentinel, and room for a
   /// whole batch after it.
+  /// @throws std::length_error when there are more than four billion neighbours in all
   void build(const GridMap& map, const CellGrid& grid, const Vec3Arrays& points,
              std::uint32_t count, const CellGrid& other_grid, const Vec3Arrays& others,
              std::uint32_t other_count, float radius);
 
-  NeighbourView view() const { return {first_.data(), batches_.data()}; }
+  NeighbourView view() const { return {place_.data(), table_.data()}; }
   std::size_t memory_bytes() const;
 
  private:
-  std::vector<const std::uint32_t*> first_;
-  std::vector<std::uint32_t> batches_;
-  std::vector<std::vector<std::uint32_t>> blocks_;  ///< one buffer per block of cells
+  class Writer;
+  using Chunk = std::unique_ptr<std::uint32_t[]>;
+
+  std::vector<std::uint32_t> place_;
+  std::vector<const std::uint32_t*> table_;  ///< the chunks in use; the first is the empty list
+  std::vector<Chunk> chunks_;                ///< kept from one build to the next
+  std::vector<std::vector<std::uint32_t>> large_;  ///< of lists longer than a chunk
+  std::size_t taken_ = 0;                          ///< of `chunks_`
 };
 
 }  // namespace spindrift::sim

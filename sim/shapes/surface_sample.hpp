@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace spindrift::sim {
 
@@ -16,7 +17,8 @@ struct SurfaceSample {
 
   glm::vec3 position;  ///< m
   Side side = Side::around;
-  glm::vec3 normal{0.f};  ///< out of a thin wall, unit; else 0
+  glm::vec3 normal{0.f};                               ///< out of a thin wall, unit; else 0
+  std::optional<float> wall_viscosity = std::nullopt;  ///< Pa·s; none: the fluid's
 };
 
 }  // namespace spindrift::sim

@@ -125,6 +125,10 @@ case $part in
   info)
     expect 0 "processor" info
     expect 0 '"renderer"' info --json
+    unset OMP_WAIT_POLICY GOMP_SPINCOUNT
+    # Threads wait shortly, so that a core held by another program delays little; the user may say otherwise.
+    OMP_DISPLAY_ENV=verbose expect 0 "GOMP_SPINCOUNT = '2000'" --version
+    OMP_DISPLAY_ENV=verbose OMP_WAIT_POLICY=active expect 0 "OMP_WAIT_POLICY = 'ACTIVE'" --version
     ;;
   *)
     echo "unknown part $part"

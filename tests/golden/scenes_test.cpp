@@ -128,6 +128,20 @@ TEST_CASE("a frame of the dropping ball is the golden one", "[slow]") {
 TEST_CASE("a frame of the sheet on the knot is the golden one", "[slow]") {
   check(entries().at(6));
 }
+TEST_CASE("a frame of the mixer is the golden one", "[slow]") {
+  check(entries().at(7));
+}
+TEST_CASE("a frame of the wave maker is the golden one", "[slow]") {
+  check(entries().at(8));
+}
+
+TEST_CASE("a frame of the fountain is the golden one", "[slow]") {
+  check(entries().at(7));
+}
+
+TEST_CASE("a frame of the weightless drops is the golden one", "[slow]") {
+  check(entries().at(7));
+}
 
 TEST_CASE("a moved light, a missing obstacle and a weaker gravity are seen", "[slow]") {
   const fs::path golden_file = source / "tests/golden/scenes/dam_break.png";

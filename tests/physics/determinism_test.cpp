@@ -57,12 +57,13 @@ TEST_CASE("a run that starts with overlapping blocks is gone on with to the same
   s.fluid.volumes.push_back({Box{{0.02f, 0.3f, 0}, {0.42f, 0.9f, 0.5f}}});
   s.solver.max_compression = 0.01f;
   Simulation whole(s);
-  const FrameStatistics early = whole.advance_to(0.004);
-  CHECK(early.max_compression > 0.011);  // not yet moved apart
+  const FrameStatistics start = whole.advance_to(0);
+  CHECK(start.max_compression <= s.solver.max_compression);
+  CHECK(start.kinetic_energy == 0);  // moved apart, without a velocity
+  whole.advance_to(0.004);
   const Frame kept = whole.frame();
   const FrameStatistics late = whole.advance_to(0.1);
-  CHECK(late.mean_compression < 0.7 * early.mean_compression);
-  CHECK(late.max_speed < 15);  // apart, but not by an explosion
+  CHECK(late.max_speed < 3);
   Simulation resumed(s, kept);
   resumed.advance_to(0.1);
   check_same(whole.frame(), resumed.frame());

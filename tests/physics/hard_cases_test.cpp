@@ -8,7 +8,7 @@
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
-TEST_CASE("hard: water that falls ten metres onto a floor", "[hard]") {
+TEST_CASE("hard: water that falls ten metres onto a floor", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Settings s = small_scene(solver);
   s.domain = {{0, 0, 0}, {1.2f, 10.6f, 1.2f}};
@@ -145,7 +145,7 @@ TEST_CASE("hard: a block whose first layers lie exactly on three walls, basic SP
   block_on_walls(SolverType::sph);
 }
 
-TEST_CASE("hard: two blocks that overlap by 30 %", "[hard]") {
+TEST_CASE("hard: two blocks that overlap by 30 %", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = overlap(solver);
   const Invariants end = watch(s, 2, 60);
@@ -199,7 +199,7 @@ TEST_CASE("hard: a sheet one particle thick, basic SPH", "[hard]") {
   sheet(SolverType::sph);
 }
 
-TEST_CASE("hard: a column 100 particles tall and 5 wide", "[hard]") {
+TEST_CASE("hard: a column 100 particles tall and 5 wide", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = column(solver, 5 * d);
   const Invariants end = watch(s, 0.5, 30);
@@ -208,7 +208,7 @@ TEST_CASE("hard: a column 100 particles tall and 5 wide", "[hard]") {
   CHECK(end.max_speed < 2);
 }
 
-TEST_CASE("hard: a column 100 particles tall and 5 wide that stands free", "[hard]") {
+TEST_CASE("hard: a column 100 particles tall and 5 wide that stands free", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = column(solver, 25 * d);
   check("a column 100 tall, 5 wide, free", s, watch(s, 1, 30));

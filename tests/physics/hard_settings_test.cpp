@@ -28,7 +28,7 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 
 }  // namespace
 
-TEST_CASE("hard: water through a gap narrower than the support radius", "[hard]") {
+TEST_CASE("hard: water through a gap narrower than the support radius", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const float gap = GENERATE(0.5f, 1.f, 1.5f) * d;
   Settings s = small_scene(solver);
@@ -85,7 +85,7 @@ void shake(SolverType solver) {
 
 }  // namespace
 
-TEST_CASE("hard: a tank shaken at the resonance of its first mode", "[hard]") {
+TEST_CASE("hard: a tank shaken at the resonance of its first mode", "[hard][slow]") {
   shake(SolverType::pcisph);
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("hard: a tank shaken at the resonance of its first mode, basic SPH", "
   shake(SolverType::sph);
 }
 
-TEST_CASE("hard: viscosity from nothing to syrup", "[hard]") {
+TEST_CASE("hard: viscosity from nothing to syrup", "[hard][slow]") {
   const double viscosity = GENERATE(0., 1e-3, 0.1, 1., 10.);
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Settings s = splash(solver);
@@ -101,7 +101,7 @@ TEST_CASE("hard: viscosity from nothing to syrup", "[hard]") {
   check(fmt::format("viscosity {} Pa·s", viscosity), s, watch(s, 0.6, 30));
 }
 
-TEST_CASE("hard: a scene one millimetre and one kilometre in size", "[hard]") {
+TEST_CASE("hard: a scene one millimetre and one kilometre in size", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const float size = GENERATE(1e-3f, 1e3f);  // m
   Settings s = splash(solver);
@@ -141,7 +141,7 @@ TEST_CASE("hard: a tank left at rest", "[hard]") {
   rest(SolverType::pcisph, 3);
 }
 
-TEST_CASE("hard: a tank left at rest, basic SPH", "[hard]") {
+TEST_CASE("hard: a tank left at rest, basic SPH", "[hard][slow]") {
   rest(SolverType::sph, 3);
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("hard: a tank left at rest for a minute, basic SPH", "[hard][long]") {
   rest(SolverType::sph, 60);
 }
 
-TEST_CASE("hard: the same bytes for one, two and four threads", "[hard]") {
+TEST_CASE("hard: the same bytes for one, two and four threads", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = GENERATE_COPY(jets(solver), overlap(solver), column(solver, 7 * d));
   const int threads_before = omp_get_max_threads();

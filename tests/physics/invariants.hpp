@@ -20,8 +20,10 @@ struct Invariants {
   bool count_kept = true;   ///< every id once
   double outside = 0;       ///< farthest that a particle is outside the domain or in a solid, m
   double energy_start = 0;  ///< J, kinetic and potential
-  double energy_made = 0;  ///< largest rise of the energy over an earlier frame's, less the work of
-                           ///< body forces, relative to what there was and what was put in
+  double wall_work = 0;     ///< J, of obstacles that move
+  double energy_made =
+      0;  ///< largest rise of the energy over an earlier frame's, less the work of
+          ///< body forces and moving walls, relative to what there was and what was put in
   double max_compression = 0;   ///< largest ρ/ρ₀ − 1
   double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) in the worst frame
   double max_speed = 0;         ///< m/s
@@ -39,6 +41,8 @@ inline float default_speed_of_sound(const sim::Settings& s) {
     speed = std::max(speed, glm::length(v.velocity));
   for (const sim::AccelerationKey& k : s.forces.body)
     acceleration = std::max(acceleration, glm::length(s.forces.gravity + k.acceleration));
+  for (const sim::Obstacle& obstacle : s.obstacles)
+    speed = std::max(speed, sim::fastest_speed(obstacle));
   const float height = s.domain.max.y - s.domain.min.y;
   return 10 * std::sqrt(speed * speed + 2 * acceleration * height);
 }
@@ -60,6 +64,7 @@ class InvariantsWatch {
     worst_.steps += f.steps;
     worst_.rejected += f.rejected_steps;
     worst_.iterations += f.iterations;
+    worst_.wall_work += f.wall_work;
     worst_.last = f;
     worst_.end = frame;
   }
@@ -71,11 +76,14 @@ class InvariantsWatch {
     const auto all_finite = [](glm::vec3 v) {
       return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     };
+    const std::vector<sim::PosedBody> bodies = sim::posed_bodies(settings_, frame.time, frame.time);
     const sim::ContactView contact{
         {settings_.domain.min.x, settings_.domain.min.y, settings_.domain.min.z},
         {settings_.domain.max.x, settings_.domain.max.y, settings_.domain.max.z},
-        settings_.obstacles.data(),
-        settings_.obstacles.size()};
+        fixed_.obstacles.data(),
+        fixed_.obstacles.size(),
+        sim::OpenFaces(settings_.domain),
+        bodies};
     const std::size_t n = frame.positions.size();
     std::vector<bool> seen(n, false);
     for (std::size_t i = 0; i < n; ++i) {
@@ -103,7 +111,7 @@ class InvariantsWatch {
         mass() * (glm::dvec3(a.x, a.y, a.z) - glm::dvec3(settings_.forces.gravity));
     const double energy = f.kinetic_energy + f.potential_energy + elastic_energy(frame);
     if (frame.time > 0) {
-      const double work = 0.5 * glm::dot(force + last_force_, center - last_center_);
+      const double work = 0.5 * glm::dot(force + last_force_, center - last_center_) + f.wall_work;
       lowest_ += work;
       put_in_ += std::abs(work);
     } else {
@@ -134,7 +142,7 @@ class InvariantsWatch {
            static_cast<double>(count_);
   }
 
-  const sim::Settings settings_;
+  const sim::Settings settings_, fixed_ = sim::without_moving(settings_);
   Invariants worst_;
   std::size_t count_ = 0;
   double lowest_ = 0, put_in_ = 0;  // J

@@ -26,7 +26,7 @@ Settings cup(float wall) {
 
 }  // namespace
 
-TEST_CASE("a cup of triangles holds water, however thin its walls") {
+TEST_CASE("a cup of triangles holds water, however thin its walls", "[slow]") {
   const float wall = GENERATE(0.1f, 0.4f, 0.9f, 1.5f, 3.f) * d;
   CAPTURE(wall / d);
   Simulation simulation(cup(wall));

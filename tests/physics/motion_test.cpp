@@ -31,7 +31,7 @@ Settings colliding_blocks(SolverType solver) {
   s.fluid.spacing = 0.05f;
   s.fluid.viscosity = 0.5f;
   s.forces.gravity = glm::vec3(0);
-  s.domain = {{-6, -6, -6}, {6, 6, 6}};
+  s.domain = {{-3, -3, -3}, {3, 3, 3}};
   s.fluid.volumes = {{Box{{-0.5f, 0, 0}, {-0.1f, 0.4f, 0.4f}}, {2, 0, 0}},
                      {Box{{0.1f, 0.15f, 0}, {0.5f, 0.55f, 0.4f}}, {-1, 0, 0.5f}}};
   return s;
@@ -67,7 +67,7 @@ TEST_CASE("a block falls freely as it must, for every solver and frame rate") {
   }
 }
 
-TEST_CASE("momentum is kept without walls, and angular momentum nearly") {
+TEST_CASE("momentum is kept without walls, and angular momentum nearly", "[slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Simulation simulation(colliding_blocks(solver));
   simulation.advance_to(0);
@@ -81,7 +81,7 @@ TEST_CASE("momentum is kept without walls, and angular momentum nearly") {
   CHECK(end.max_speed < 4);
 }
 
-TEST_CASE("a collision never makes energy") {
+TEST_CASE("a collision never makes energy", "[slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Simulation simulation(colliding_blocks(solver));
   double energy = simulation.advance_to(0).kinetic_energy;

@@ -6,7 +6,7 @@
 
 using namespace spindrift::sim;
 
-TEST_CASE("probes in a tank at rest read its height, ρgh and its energy") {
+TEST_CASE("probes in a tank at rest read its height, ρgh and its energy", "[slow]") {
   constexpr double depth = 1;
   Settings s;
   s.solver.mean_compression = 1e-4f;

@@ -49,7 +49,7 @@ double hydrostatic_error(const std::vector<Frame>& frames, double spacing) {
 
 }  // namespace
 
-TEST_CASE("a tank comes to rest with hydrostatic pressure") {
+TEST_CASE("a tank comes to rest with hydrostatic pressure", "[slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Simulation simulation(tank(solver));
   const FrameStatistics start = simulation.advance_to(0);

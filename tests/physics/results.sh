@@ -13,7 +13,7 @@ fi
 lines=$(mktemp) log=$(mktemp)
 trap 'rm -f "$lines" "$log" "$result.new"' EXIT
 status=0
-SPINDRIFT_RESULTS=$lines "$program" "[hard],[validation]" >"$log" || status=1
+SPINDRIFT_RESULTS=$lines "$program" "[hard],[validation],a drop on a plate*" >"$log" || status=1
 
 # The recorded lines of one kind, each once, as rows of a table.
 rows() { awk -v kind="$1 | " 'index($0, kind) == 1 && !seen[$0]++ { print "| " substr($0, length(kind) + 1) " |" }' "$lines"; }
@@ -51,6 +51,22 @@ Viscosity 0.001 Pa·s; the loss of amplitude in half a period is the method's.
 | solver | spacing | amplitude | exact period | period | error, % | amplitude lost in half a period, % |
 |---|---|---|---|---|---|---|
 $(rows wave)
+
+## Drops
+
+Weightless water, σ = 0.072 N/m, viscosity 0.002 Pa·s, mean compression of 0.01 % allowed. A drop that has calmed down
+is set swinging, by 10 % of its radius: its period against Lamb's, ω² = 8σ/(ρR³), and the mean pressure in its inner
+half against 2σ/R.
+
+| spacing | radius in spacings | exact period | period | error, % | 2σ/R, Pa | pressure, Pa | error, % |
+|---|---|---|---|---|---|---|---|
+$(rows drop)
+
+The angle, in degrees, at which a drop settles on a plate, from the height of its centre of mass.
+
+| contact angle asked for | found |
+|---|---|
+$(rows angle)
 
 ## Hard cases
 

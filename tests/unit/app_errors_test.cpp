@@ -70,6 +70,13 @@ const std::vector<Case> wrong_values{
     {R"({"probes": [{"name": "p", "energy": true}]})",
      {"probes[0].energy: expected an empty object {}, found true"}},
     {R"({"probes_rate": -1})", {"probes_rate: -1 is out of range", "1/s"}},
+    {R"({"domain": {"open": ["up"]}})", {"domain.open[0]", "unknown value \"up\"", "+y"}},
+    {R"({"domain": {"open": "+y"}})", {"domain.open: expected a list"}},
+    {R"({"fluid": {"emitters": [{"speed": 1}]}})",
+     {"fluid.emitters[0]", "one opening out of disc, rectangle", "found 0"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "radius": 0.1}}]}})",
+     {"emitters[0].disc", "\"direction\" is missing"}},
+    {R"({"sinks": [{"bx": {}}]})", {"sinks[0].bx: unknown key", "did you mean \"box\""}},
 };
 
 const std::vector<Case> wrong_together{
@@ -95,6 +102,27 @@ const std::vector<Case> wrong_together{
     {R"({"obstacles": [{"capsule": {"from": [1,1,1], "to": [2,1,1]}}]})",
      {"obstacles[0].capsule", "\"radius\" is missing"}},
     {R"({"obstacles": [{"capsul": {}}]})", {"obstacles[0].capsul", "did you mean \"capsule\""}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {}}]})",
+     {"bad.json:1:58: obstacles[0].motion: says nothing", "keyframes, oscillations or spin"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {"keyframes": [
+         {"time": 1}, {"time": 0.5, "translate": [1,0,0]}]}}]})",
+     {"bad.json:2:24: obstacles[0].motion.keyframes[1].time: 0.5 s is not after", "(1 s)"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "oscillations": [{"frequency": 2}]}}]})",
+     {"motion.oscillations[0]: has no amplitude", "translate (m) or rotate (degrees)"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "spin": {"axis": [0,0,0], "frequency": 2}}}]})",
+     {"obstacles[0].motion.spin.axis: has no length"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "spin": {"axis": [0,0,1]}}}]})",
+     {"obstacles[0].motion.spin: \"frequency\" is missing"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {"spinn": {}}}]})",
+     {"obstacles[0].motion.spinn", "did you mean \"spin\""}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "motion": {
+         "interpolation": "cubic", "keyframes": [{"time": 0}]}}]})",
+     {"motion.interpolation", "smooth, linear"}},
+    {R"({"obstacles": [{"box": {"min": [0,0,0], "max": [1,1,1]}, "wall_viscosity": -1}]})",
+     {"obstacles[0].wall_viscosity: -1 is out of range", "Pa·s"}},
     {R"({"video": {"width": 641}})", {"video.width: 641 is odd"}},
     {R"({"video": {"height": 361}})", {"video.height: 361 is odd"}},
     {R"({"video": {"duration": 0.001}})", {"video.duration", "frames"}},
@@ -123,6 +151,30 @@ const std::vector<Case> wrong_together{
     {R"({"probes": [{"name": "a", "energy": {}}], "probes_rate": 1e6})",
      {"probes_rate", "4e+06", "1000000"}},
     {R"({"look": {"color_min": 5, "color_max": 1}})", {"look.color_min", "above color_max"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,0,0], "radius": 0.1}}]}})",
+     {"fluid.emitters[0].disc.direction: has no length"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,1,0], "radius": 0.02}}]}})",
+     {"disc.radius: the opening is 0.04 m wide", "2 particle spacings (0.05 m)"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,0,0.4], "direction": [0,-1,0], "radius": 0.1}}]}})",
+     {"emitters[0].disc: the particle that comes out at",
+      "outside the domain [0, 0, 0] ... [3.2, 2, 0.8]"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}, "from": 2, "to": 1}]}})",
+     {"emitters[0].to: 1 s is not after from (2 s)"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}, "max_particles": 5}]}})",
+     {"emitters[0].max_particles: 5 is less than the", "of one layer"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}, "to": 0.01}]}})",
+     {"emitters[0].to", "nothing comes out"}},
+    {R"({"fluid": {"emitters": [{"rectangle": {"center": [1,1,0.4], "direction": [0,-1,0], "width": 0.1, "height": 0.1}}]}})",
+     {"emitters[0].rectangle.up: [0, 1, 0] is along the direction [0, -1, 0]"}},
+    {R"({"obstacles": [{"sphere": {"center": [1,1,0.4], "radius": 0.2}}], "fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}}]}})",
+     {"emitters[0].disc: the particle that comes out at", "inside obstacles[0]"}},
+    {R"({"obstacles": [{"box": {"min": [0.5,1.5,0.2], "max": [1.5,1.6,0.6]}, "motion": {"keyframes": [{"time": 1}, {"time": 2, "translate": [0,-0.5,0]}]}}], "fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}}]}})",
+     {"emitters[0].disc: obstacles[0], which moves, is in the nozzle", "at 1.7"}},
+    {R"({"video": {"duration": 20}, "fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.3}, "speed": 1000}]}})",
+     {"fluid.spacing", "at most 2e+08"}},
+    {R"({"domain": {"open": ["+y", "-x", "+y"]}})",
+     {"bad.json:1:34: domain.open[2]: \"+y\" stands there already"}},
+    {R"({"sinks": [{"box": {"min": [0,0,0], "max": [1,0,1]}}]})", {"sinks[0].box: min", "in y"}},
 };
 
 const std::vector<Case> not_json{

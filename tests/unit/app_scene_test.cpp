@@ -1,5 +1,6 @@
 // Scene files: what ships, what the defaults are, what the hash depends on.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -96,7 +97,13 @@ TEST_CASE("a resolved scene reads back as itself") {
     "name": "rich",
     "fluid": {"volumes": [
       {"cylinder": {"from": [1, 0.5, 0.4], "to": [1, 1, 0.4], "radius": 0.2}, "velocity": [1, 2, 3]},
-      {"sphere": {"center": [2, 1, 0.4], "radius": 0.3}}]},
+      {"sphere": {"center": [2, 1, 0.4], "radius": 0.3}}],
+      "emitters": [
+        {"disc": {"center": [0.2, 1.5, 0.4], "direction": [1, 0, 0], "radius": 0.1}, "to": 3},
+        {"rectangle": {"center": [0.2, 1, 0.4], "direction": [1, 0, 0], "width": 0.2,
+                       "height": 0.1}, "speed": 2, "from": 1, "max_particles": 5000}]},
+    "domain": {"open": ["+y", "-x"]},
+    "sinks": [{"box": {"min": [3, 0, 0], "max": [3.2, 0.1, 0.8]}}],
     "obstacles": [{"sphere": {"center": [3, 0, 0.4], "radius": 0.1}},
                   {"capsule": {"from": [2, 0, 0.4], "to": [2.5, 0, 0.4], "radius": 0.1}}],
     "forces": {"body": [{"time": 0, "acceleration": [1, 0, 0]},
@@ -192,4 +199,20 @@ TEST_CASE("the estimate counts particles exactly and grows with the scene") {
   Scene longer = scene;
   longer.video.duration *= 3.;
   CHECK(estimate(longer, 1).seconds > 2. * cost.seconds);
+}
+
+TEST_CASE("emitters alone fill an empty domain, and what they bring is counted beforehand") {
+  const char* const text = R"({
+    "fluid": {"emitters": [{"rectangle": {"center": [1, 1.5, 0.4], "direction": [0, -1, 0],
+                                          "up": [1, 0, 0], "width": 0.25, "height": 0.5},
+                            "speed": 2, "from": 1}]},
+    "video": {"duration": 3}})";
+  const Scene scene = parse(text);
+  CHECK(scene.simulation.fluid.volumes.empty());
+  const double brought = 0.25 * 0.5 * 2 * 2 / std::pow(0.025, 3);
+  CHECK(static_cast<double>(estimate(scene, 1).particles) == Approx(brought).epsilon(0.03));
+  const Scene capped = parse(text, {"fluid.emitters.0.max_particles=1000"});
+  CHECK(estimate(capped, 1).particles == 1000);
+  CHECK(estimate(parse(text, {"video.duration=0.5"}), 1).particles == 0);
+  CHECK(simulation_hash(capped) != simulation_hash(scene));
 }

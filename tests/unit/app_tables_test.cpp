@@ -59,6 +59,14 @@ TEST_CASE("every member of every settings struct has its key") {
   STATIC_REQUIRE(complete<sim::VolumeProbe>);
   STATIC_REQUIRE(complete<sim::DomainSettings>);
   STATIC_REQUIRE(complete<sim::Obstacle>);
+  STATIC_REQUIRE(complete<sim::Motion>);
+  STATIC_REQUIRE(complete<sim::MotionKey>);
+  STATIC_REQUIRE(complete<sim::Oscillation>);
+  STATIC_REQUIRE(complete<sim::Spin>);
+  STATIC_REQUIRE(complete<sim::Sink>);
+  STATIC_REQUIRE(complete<sim::Emitter>);
+  STATIC_REQUIRE(complete<sim::Disc>);
+  STATIC_REQUIRE(complete<sim::Rectangle>);
   STATIC_REQUIRE(complete<sim::ForceSettings>);
   STATIC_REQUIRE(complete<sim::AccelerationKey>);
   STATIC_REQUIRE(complete<sim::SolverSettings>);

@@ -245,3 +245,38 @@ TEST_CASE("a queue hands over in order, waits when full, and ends when closed") 
   giver.join();
   CHECK_FALSE(queue.push(1));
 }
+
+TEST_CASE("a scene that starts empty is drawn, exported, reported, and gone on with") {
+  const auto scene_of = [](const app::Overrides& set) {
+    return app::parse_scene(R"({
+      "fluid": {"spacing": 0.08, "emitters": [
+        {"disc": {"center": [0.2, 0.6, 0.2], "direction": [1, 0, 0], "radius": 0.1}, "speed": 2,
+         "from": 0.05}]},
+      "domain": {"min": [0, 0, 0], "max": [0.96, 0.8, 0.4], "open": ["+x"]},
+      "video": {"width": 96, "height": 64, "duration": 0.6}
+    })",
+                            "tap.json", set);
+  };
+  const TemporaryFolder folder;
+  auto once = options_for(folder / "once"), twice = options_for(folder / "twice");
+  once.export_meshes = once.export_particles = true;
+  REQUIRE(app::run_render(scene_of({}), once) == app::done);
+  const auto report = report_of(once.output);
+  const auto& frames = report.at("frames");
+  CHECK(frames.at(0).at("particles") == 0);
+  int inside = 0, most = 0;
+  for (const auto& frame : frames) {
+    inside += frame.at("entered").get<int>() - frame.at("left").get<int>();
+    CHECK(frame.at("particles") == inside);
+    most = std::max(most, inside);
+  }
+  CHECK(frames.at(17).at("left") > 0);
+  CHECK(report.at("particles") == most);
+  CHECK(bytes_of(once.output / "meshes/0000.ply").find("element vertex 0\n") != std::string::npos);
+  CHECK(bytes_of(once.output / "particles_ply/0017.ply").find("property uint id\n") !=
+        std::string::npos);
+  REQUIRE(app::run_render(scene_of({"video.duration=0.3"}), twice) == app::done);
+  REQUIRE(app::run_render(scene_of({}), twice) == app::done);
+  CHECK(report_of(twice.output).at("frames_simulated") == 9);
+  CHECK(bytes_of(once.output / "video.mp4") == bytes_of(twice.output / "video.mp4"));
+}

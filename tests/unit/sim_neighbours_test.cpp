@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "sim/openmp/cell_neighbours.hpp"
 #include "sim/openmp/neighbours.hpp"
 #include "sim/particles.hpp"
 
@@ -51,7 +52,8 @@ Searched search(const Points& points, const Points& others, float radius, Points
   lists.build(map, grid, field.view(), n, other_grid, other_field.view(), m, radius);
   const NeighbourView view = lists.view();
   for (std::uint32_t i = 0; i < n; ++i) {
-    std::vector<std::uint32_t> list(view.first[i], view.first[i] + view.batches[i] * lane_count);
+    const std::uint32_t* first = view.list(i) + 1;
+    std::vector<std::uint32_t> list(first, first + *view.list(i) * lane_count);
     std::erase(list, m);
     result.lists.push_back(list);
   }
@@ -100,6 +102,11 @@ TEST_CASE("a crowd in one cell loses no neighbour") {
   check_against_brute_force(points, points, 0.1f);
 }
 
+TEST_CASE("a list may be longer than the pieces of memory that lists are kept in") {
+  const Points crowd = random_points(static_cast<int>(2 * NeighbourView::chunk_size), 0.01f, 8);
+  check_against_brute_force({{0, 0, 0}, {0.001f, 0, 0}, {0.5f, 0, 0}}, crowd, 0.1f);
+}
+
 TEST_CASE("points in far corners and one alone have the right neighbours") {
   Points points = random_points(50, 0.02f, 5);
   for (auto& p : points)
@@ -121,6 +128,39 @@ TEST_CASE("the order and the lists are the same for one, two and four threads") 
   omp_set_num_threads(threads_before);
   CHECK(results[0].lists == results[1].lists);
   CHECK(results[0].lists == results[2].lists);
+}
+
+TEST_CASE("cells around a cell are those whose keys say so") {
+  const GridMap map = GridMap::over({-1, -1, -1}, {1, 1, 1}, 0.2f);
+  Points points = random_points(300, 0.9f, 7);
+  VectorField field;
+  const auto n = static_cast<std::uint32_t>(points.size());
+  field.resize(n);
+  for (std::uint32_t i = 0; i < n; ++i)
+    field.view().set(i, points[i]);
+  CellGrid grid;
+  grid.sort(map, field.view(), n);
+  CellNeighbours neighbours;
+  neighbours.build(map, grid);
+  int occupied = 0, empty = 0;
+  for (std::uint32_t c = 0; c < grid.cell_count(); ++c)
+    for (int slot = 0; slot < CellNeighbours::slots; ++slot) {
+      const std::int64_t dx = slot % 3 - 1, dy = slot / 3 % 3 - 1, dz = slot / 9 - 1;
+      const auto key = static_cast<std::uint64_t>(static_cast<std::int64_t>(grid.cell_key(c)) + dx +
+                                                  map.nx * (dy + map.ny * dz));
+      std::int32_t expected = -1;
+      for (std::uint32_t other = 0; other < grid.cell_count(); ++other)
+        if (grid.cell_key(other) == key)
+          expected = static_cast<std::int32_t>(other);
+      ++(expected < 0 ? empty : occupied);
+      REQUIRE(neighbours.at(c, slot) == expected);
+      const std::uint32_t batch = c / lane_count * lane_count;
+      if (expected >= 0)
+        REQUIRE(neighbours.row(batch, slot / 3)[static_cast<std::size_t>(slot % 3)][c - batch] ==
+                expected);
+    }
+  CHECK(occupied > 1000);
+  CHECK(empty > 1000);
 }
 
 TEST_CASE("a domain with too many cells for a key is refused") {

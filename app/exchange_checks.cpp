@@ -1,0 +1,157 @@
+#include "app/exchange_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "app/scene_document.hpp"
+#include "app/scene_fields.hpp"
+#include "sim/motion.hpp"
+#include "sim/nozzle.hpp"
+#include "sim/shapes.hpp"
+
+namespace spindrift::app {
+namespace {
+
+constexpr float least_width = 2.f;  // particle spacings
+constexpr int nozzle_layers = 4;    // about a spacing apart
+
+std::string text_of(const glm::vec3& v) {
+  return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
+}
+
+std::optional<Complaint> check_direction(const glm::vec3& direction, const std::string& path) {
+  if (glm::length(direction) < 1e-6f)
+    return Complaint{child_path(path, "direction"), "has no length"};
+  return std::nullopt;
+}
+
+std::optional<Complaint> check_width(float width, float spacing, const std::string& path) {
+  if (width < 0.999f * least_width * spacing)
+    return Complaint{path,
+                     fmt::format("the opening is {:g} m wide; at least {:g} particle spacings "
+                                 "({:g} m) are needed",
+                                 width, least_width, least_width * spacing)};
+  return std::nullopt;
+}
+
+std::optional<Complaint> check(const sim::Disc& disc, float spacing, const std::string& path) {
+  if (auto wrong = check_direction(disc.direction, path))
+    return wrong;
+  return check_width(2 * disc.radius, spacing, child_path(path, "radius"));
+}
+
+std::optional<Complaint> check(const sim::Rectangle& r, float spacing, const std::string& path) {
+  if (auto wrong = check_direction(r.direction, path))
+    return wrong;
+  const glm::vec3 across = glm::cross(r.up, glm::normalize(r.direction));
+  if (glm::length(across) <= 1e-4f * glm::length(r.up))
+    return Complaint{child_path(path, "up"), fmt::format("{} is along the direction {}",
+                                                         text_of(r.up), text_of(r.direction))};
+  if (auto wrong = check_width(r.width, spacing, child_path(path, "width")))
+    return wrong;
+  return check_width(r.height, spacing, child_path(path, "height"));
+}
+
+/// Half a spacing on from the opening, particles must be in the domain and outside of obstacles.
+std::optional<Complaint> check_place(const sim::Settings& s, const sim::Opening& opening,
+                                     const std::string& path) {
+  const glm::vec3 ahead = 0.5f * s.fluid.spacing * sim::direction_of(opening);
+  const float tolerance = 1e-3f * s.fluid.spacing;
+  for (const glm::vec3& point : sim::fill_opening(opening, s.fluid.spacing).points) {
+    const glm::vec3 p = point + ahead;
+    if (glm::any(glm::lessThan(p, s.domain.min - tolerance)) ||
+        glm::any(glm::greaterThan(p, s.domain.max + tolerance)))
+      return Complaint{path, fmt::format("the particle that comes out at {} is outside the domain "
+                                         "{} ... {}; move center or turn direction",
+                                         text_of(p), text_of(s.domain.min), text_of(s.domain.max))};
+    for (std::size_t k = 0; k < s.obstacles.size(); ++k)
+      if (!s.obstacles[k].motion && sim::is_inside(s.obstacles[k].shape, p))
+        return Complaint{path, fmt::format("the particle that comes out at {} is inside "
+                                           "obstacles[{}]; move center out of it",
+                                           text_of(p), k)};
+  }
+  return std::nullopt;
+}
+
+/// A nozzle may lie in a fixed obstacle, whose samples it opens; one that moves must stay out of
+/// it.
+std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitter,
+                                   const std::string& path) {
+  const sim::Settings& s = scene.simulation;
+  const sim::Nozzle nozzle(emitter, s.fluid.spacing);
+  const std::vector<glm::vec3> points = sim::fill_opening(emitter.opening, s.fluid.spacing).points;
+  const glm::vec3 step = s.fluid.spacing * sim::direction_of(emitter.opening);
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k)
+    for (int frame = 0; s.obstacles[k].motion && frame <= scene.video.frame_count(); ++frame) {
+      const double time = static_cast<double>(frame) / scene.video.frames_per_second;
+      if (!(nozzle.closed_part(time) < 1))
+        continue;
+      const sim::Pose pose = sim::pose_at(s.obstacles[k], time);
+      const glm::dmat3 back = glm::transpose(pose.rotation);
+      for (const glm::vec3& point : points)
+        for (int layer = -nozzle_layers; layer <= 1; ++layer) {
+          const glm::dvec3 p(point + static_cast<float>(layer) * step);
+          if (sim::is_inside(s.obstacles[k].shape, glm::vec3(back * (p - pose.translation))))
+            return Complaint{path, fmt::format("obstacles[{}], which moves, is in the nozzle, four "
+                                               "spacings behind the opening, at {:g} s; move "
+                                               "either out of the other's way",
+                                               k, time)};
+        }
+    }
+  return std::nullopt;
+}
+
+std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& emitter,
+                                       const std::string& path) {
+  const sim::Settings& s = scene.simulation;
+  const std::string opening_path =
+      child_path(path, alternative_names<sim::Opening>[emitter.opening.index()]);
+  if (auto wrong =
+          std::visit([&](const auto& one) { return check(one, s.fluid.spacing, opening_path); },
+                     emitter.opening))
+    return wrong;
+  if (!(emitter.from < emitter.to))
+    return Complaint{child_path(path, "to"),
+                     fmt::format("{:g} s is not after from ({:g} s)", emitter.to, emitter.from)};
+  if (auto wrong = check_place(s, emitter.opening, opening_path))
+    return wrong;
+  if (auto wrong = check_way(scene, emitter, opening_path))
+    return wrong;
+  const sim::Nozzle nozzle(emitter, s.fluid.spacing);
+  if (nozzle.layer_count() > 0)
+    return std::nullopt;
+  if (emitter.max_particles > 0 && emitter.max_particles < static_cast<int>(nozzle.layer_size()))
+    return Complaint{child_path(path, "max_particles"),
+                     fmt::format("{} is less than the {} of one layer", emitter.max_particles,
+                                 nozzle.layer_size())};
+  return Complaint{child_path(path, "to"),
+                   fmt::format("from {:g} to {:g} s at {:g} m/s liquid goes less than half a "
+                               "spacing: nothing comes out",
+                               emitter.from, emitter.to, emitter.speed)};
+}
+
+std::optional<Complaint> check_open_faces(const sim::DomainSettings& domain) {
+  for (std::size_t i = 0; i < domain.open.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (domain.open[i] == domain.open[k])
+        return Complaint{
+            child_path("domain.open", i),
+            fmt::format("\"{}\" stands there already",
+                        value_names<sim::Direction>[static_cast<std::size_t>(domain.open[i])])};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Complaint> check_exchange(const Scene& scene) {
+  const auto& emitters = scene.simulation.fluid.emitters;
+  for (std::size_t i = 0; i < emitters.size(); ++i)
+    if (auto wrong = check_emitter(scene, emitters[i], child_path("fluid.emitters", i)))
+      return wrong;
+  return check_open_faces(scene.simulation.domain);
+}
+
+}  // namespace spindrift::app

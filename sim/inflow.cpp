@@ -1,0 +1,238 @@
+#include "sim/inflow.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "sim/measure.hpp"
+#include "sim/particle_exchange.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+/// A particle is not brought where another's centre is closer than this, in spacings. In the middle
+/// of eight on a lattice it is 0.866.
+constexpr float least_distance = 0.87f;
+
+/// Times closer than this are the same, s: that at which a step ends and that of an event.
+constexpr double instant = 1e-9;
+
+}  // namespace
+
+Inflow::Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id)
+    : settings_(settings), constants_(constants), first_id_(first_id) {
+  for (const Emitter& emitter : settings.fluid.emitters)
+    nozzles_.emplace_back(emitter, settings.fluid.spacing);
+  entered_.resize(nozzles_.size());
+}
+
+std::uint32_t Inflow::next_id(double time) const {
+  std::int64_t id = first_id_;
+  for (const Nozzle& nozzle : nozzles_)
+    id += nozzle.entered(time + instant) * nozzle.layer_size();
+  if (id > std::numeric_limits<std::uint32_t>::max())
+    throw std::runtime_error("more than 4,294,967,295 particles have come out of fluid.emitters");
+  return static_cast<std::uint32_t>(id);
+}
+
+/// Numbers are given in the order in which layers come in, and at one time in that of the emitters:
+/// they depend on nothing but the time.
+Inflow::Layer Inflow::layer(std::uint32_t nozzle, std::int64_t k) const {
+  const double time = nozzles_[nozzle].entry_time(k);
+  std::int64_t id = first_id_;
+  for (std::uint32_t n = 0; n < nozzles_.size(); ++n) {
+    const std::int64_t before = n < nozzle    ? nozzles_[n].entered(time)
+                                : n == nozzle ? k
+                                              : nozzles_[n].entered_before(time);
+    id += before * nozzles_[n].layer_size();
+  }
+  return {static_cast<std::uint32_t>(id), nozzle, k};
+}
+
+double Inflow::next_begin(double time, double end) const {
+  for (const Nozzle& nozzle : nozzles_)
+    if (nozzle.begin() > time + instant)
+      end = std::min(end, nozzle.begin());
+  return end;
+}
+
+float Inflow::speed_within(double begin, double end) const {
+  float speed = 0;
+  for (const Nozzle& nozzle : nozzles_)
+    speed = std::max(speed, nozzle.speed_within(begin, end));
+  return speed;
+}
+
+void Inflow::attach(Walls& walls) {
+  Boundary& boundary = walls.boundary();
+  const Vec3Arrays x = boundary.positions();
+  openings_.resize(nozzles_.size());
+  for (std::size_t n = 0; n < nozzles_.size(); ++n)
+    for (std::uint32_t b = 0; b < boundary.count(); ++b)
+      if (nozzles_[n].is_in_the_way({x.x[b], x.y[b], x.z[b]}))
+        openings_[n].samples.push_back({b, boundary.volumes()[b], boundary.solids()[b]});
+}
+
+void Inflow::open_walls(Walls& walls, double time) {
+  // Its density ratio is then below 1 however close the liquid is: no pressure comes up.
+  constexpr double lowered = 3;
+  for (std::size_t n = 0; n < nozzles_.size(); ++n) {
+    Opening& opening = openings_[n];
+    const double part = nozzles_[n].closed_part(time + instant);
+    if (opening.closed_part == part)
+      continue;
+    disturbs_ = disturbs_ || (part == 0 && !opening.samples.empty());
+    opening.closed_part = part;
+    for (const WallSample& s : opening.samples)
+      walls.set_sample(s.index, static_cast<float>(part * s.volume),
+                       static_cast<float>(s.solid - (1 - part) * lowered));
+  }
+}
+
+void Inflow::resume(Walls& walls, double time) {
+  for (std::size_t n = 0; n < nozzles_.size(); ++n)
+    entered_[n] = nozzles_[n].entered(time + instant);
+  note_held_layers(time);
+  open_walls(walls, time);
+}
+
+void Inflow::note_held_layers(double time) {
+  held_layers_.clear();
+  for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
+    for (std::int64_t k = nozzles_[n].released(time); k < nozzles_[n].entered(time + instant); ++k)
+      held_layers_.push_back(layer(n, k));
+  std::sort(held_layers_.begin(), held_layers_.end(),
+            [](const Layer& a, const Layer& b) { return a.first_id < b.first_id; });
+}
+
+const Inflow::Layer* Inflow::held_layer_of(std::uint32_t id) const {
+  if (held_layers_.empty() || id < held_layers_.front().first_id)
+    return nullptr;
+  for (const Layer& l : held_layers_)
+    if (id >= l.first_id && id - l.first_id < nozzles_[l.nozzle].layer_size())
+      return &l;
+  return nullptr;
+}
+
+void Inflow::mark(const Particles& particles) {
+  if (held_layers_.empty())
+    return;
+  held_.resize(particles.count);
+  for (std::uint32_t i = 0; i < particles.count; ++i)
+    held_[i] = held_layer_of(particles.ids[i]) != nullptr ? 1.f : 0.f;
+  held_[particles.count] = 0;
+}
+
+void Inflow::carry(Executor& executor, Particles& particles, double time) const {
+  if (held_layers_.empty())
+    return;
+  const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
+  executor.for_each("carry inflow", particles.count, [&](std::uint32_t i) {
+    const Layer* l = held_layer_of(particles.ids[i]);
+    if (l == nullptr)
+      return;
+    const Nozzle& nozzle = nozzles_[l->nozzle];
+    x.set(i, from_glm(nozzle.position(l->k, particles.ids[i] - l->first_id, time)));
+    v.set(i, from_glm(nozzle.velocity()));
+  });
+}
+
+void Inflow::allow(const StepContext& s, float* excess) const {
+  if (held_layers_.empty() || excess == nullptr)
+    return;
+  const CubicKernel kernel(s.constants.support_radius);
+  const Vec3Arrays x = s.particles.drifted_position.view();
+  const float* held = held_.data();
+  s.executor.for_each("carry inflow", s.particles.count, [&](std::uint32_t i) {
+    if (held[i] > 0)
+      excess[i] = std::max(
+          0.f,
+          carried_density_ratio(i, s.constants, kernel, x, held, s.neighbours, s.boundary) - 1.f);
+  });
+}
+
+/// Free fall from the opening on, to this time and for the velocity to the middle of the last step.
+void Inflow::release(Particles& particles, double time, double last_step,
+                     const Vec3<float>& acceleration) const {
+  const bool any = std::any_of(held_layers_.begin(), held_layers_.end(), [&](const Layer& l) {
+    return nozzles_[l.nozzle].release_time(l.k) <= time;
+  });
+  if (!any)
+    return;
+  const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
+  for (std::uint32_t i = 0; i < particles.count; ++i) {
+    const Layer* l = held_layer_of(particles.ids[i]);
+    if (l == nullptr || nozzles_[l->nozzle].release_time(l->k) > time)
+      continue;
+    const double fall = time - nozzles_[l->nozzle].release_time(l->k);
+    x.set(i, x[i] + static_cast<float>(0.5 * fall * fall) * acceleration);
+    v.set(i, v[i] + static_cast<float>(fall - 0.5 * last_step) * acceleration);
+  }
+}
+
+/// Particles in a box, but for those in the layer's own nozzle.
+std::vector<glm::vec3> Inflow::in_the_place_of(const Particles& particles, const Layer& layer,
+                                               const Box& place) const {
+  std::vector<glm::vec3> found;
+  for (std::uint32_t i = 0; i < particles.count; ++i) {
+    const glm::vec3 p = particles.position.at(i);
+    if (glm::any(glm::lessThan(p, place.min)) || glm::any(glm::greaterThan(p, place.max)))
+      continue;
+    const Layer* own = held_layer_of(particles.ids[i]);
+    if (own == nullptr || own->nozzle != layer.nozzle)
+      found.push_back(p);
+  }
+  return found;
+}
+
+Exchange Inflow::bring(Particles& particles, const Layer& layer, double time) {
+  const Nozzle& nozzle = nozzles_[layer.nozzle];
+  std::vector<glm::vec3> places;
+  for (std::uint32_t p = 0; p < nozzle.layer_size(); ++p)
+    places.push_back(nozzle.position(layer.k, p, time));
+  const float distance = least_distance * constants_.spacing, reach = constants_.support_radius;
+  Box around{places[0], places[0]};
+  for (const glm::vec3& p : places) {
+    around.min = glm::min(around.min, p - reach);
+    around.max = glm::max(around.max, p + reach);
+  }
+  const std::vector<glm::vec3> others = in_the_place_of(particles, layer, around);
+  disturbs_ = disturbs_ || !others.empty();
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> ids;
+  Exchange exchange;
+  for (std::uint32_t p = 0; p < nozzle.layer_size(); ++p) {
+    const bool taken = std::any_of(others.begin(), others.end(), [&](const glm::vec3& other) {
+      return glm::distance(other, places[p]) < distance;
+    });
+    if (taken)
+      continue;
+    positions.push_back(places[p]);
+    ids.push_back(layer.first_id + p);
+    exchange.energy_in += energy_of(constants_, settings_, places[p], nozzle.velocity());
+  }
+  exchange.entered = static_cast<std::int64_t>(positions.size());
+  exchange.held_back = nozzle.layer_size() - exchange.entered;
+  append_particles(particles, positions, nozzle.velocity(), ids);
+  return exchange;
+}
+
+Exchange Inflow::advance(Particles& particles, Walls& walls, double time, double last_step,
+                         const Vec3<float>& acceleration) {
+  disturbs_ = false;
+  release(particles, time, last_step, acceleration);
+  note_held_layers(time);
+  next_id(time);  // there are enough
+  std::vector<Layer> entering;
+  for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
+    for (const std::int64_t end = nozzles_[n].entered(time + instant); entered_[n] < end;
+         ++entered_[n])
+      entering.push_back(layer(n, entered_[n]));
+  Exchange exchange;
+  for (const Layer& l : entering)
+    exchange += bring(particles, l, time);
+  open_walls(walls, time);
+  return exchange;
+}
+
+}  // namespace spindrift::sim

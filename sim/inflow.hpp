@@ -1,0 +1,88 @@
+// Liquid that emitters bring. In the nozzle it moves as the emitter wants, whatever pushes it; it
+// counts in its neighbours' densities, and its pressure pushes them, as that of a wall that moves
+// along would. The first particles behind the opening then have all their neighbours.
+#pragma once
+
+#include <vector>
+
+#include "sim/exchange.hpp"
+#include "sim/nozzle.hpp"
+#include "sim/solver.hpp"
+#include "sim/walls.hpp"
+
+namespace spindrift::sim {
+
+class Inflow {
+ public:
+  /// @param first_id the first number that no particle of the start has
+  Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id);
+
+  bool exists() const { return !nozzles_.empty(); }
+  const std::vector<Nozzle>& nozzles() const { return nozzles_; }
+  /// Numbers given away until a time are below this one.
+  std::uint32_t next_id(double time) const;
+  /// When the next emitter begins after a time, at most `end`, s.
+  double next_begin(double time, double end) const;
+  /// The fastest speed in any nozzle in the time between, m/s.
+  float speed_within(double begin, double end) const;
+
+  /// Finds out which samples of walls and obstacles the nozzles open.
+  void attach(Walls& walls);
+  /// Goes on from a time at which all that had come in by then is there.
+  void resume(Walls& walls, double time);
+
+  /// Notes which of the particles, in their present order, are in a nozzle.
+  void mark(const Particles& particles);
+  /// Whether the last exchange brought particles close to others, or changed a wall at once.
+  bool disturbs() const { return disturbs_; }
+  /// 1 for each of those, 0 for others; null where there are none.
+  const float* held() const { return held_layers_.empty() ? nullptr : held_.data(); }
+  /// Puts them where they are at a time, as drifted.
+  void carry(Executor& executor, Particles& particles, double time) const;
+  /// Compression of particles in the nozzle that comes from walls and each other is left as it is.
+  void allow(const StepContext& step, float* excess) const;
+
+  /// At the end of a step: lets go what has left the nozzles, and brings what came into them.
+  /// @param last_step    its length, s
+  /// @param acceleration of the body, m/s²: what is let go has been falling since it was out
+  /// @return what came
+  Exchange advance(Particles& particles, Walls& walls, double time, double last_step,
+                   const Vec3<float>& acceleration);
+
+ private:
+  struct Layer {
+    std::uint32_t first_id;
+    std::uint32_t nozzle;
+    std::int64_t k;
+  };
+  struct WallSample {
+    std::uint32_t index;
+    float volume, solid;
+  };
+  struct Opening {
+    std::vector<WallSample> samples;
+    double closed_part = 1;
+  };
+
+  Layer layer(std::uint32_t nozzle, std::int64_t k) const;
+  const Layer* held_layer_of(std::uint32_t id) const;
+  void release(Particles& particles, double time, double last_step,
+               const Vec3<float>& acceleration) const;
+  Exchange bring(Particles& particles, const Layer& layer, double time);
+  std::vector<glm::vec3> in_the_place_of(const Particles& particles, const Layer& layer,
+                                         const Box& place) const;
+  void note_held_layers(double time);
+  void open_walls(Walls& walls, double time);
+
+  Settings settings_;
+  FluidConstants constants_;
+  std::uint32_t first_id_;
+  std::vector<Nozzle> nozzles_;
+  std::vector<std::int64_t> entered_;  ///< layers of each nozzle that have been brought
+  std::vector<Layer> held_layers_;     ///< by their first number
+  std::vector<Opening> openings_;      ///< of the nozzles, in walls
+  ScalarField held_;
+  bool disturbs_ = false;
+};
+
+}  // namespace spindrift::sim

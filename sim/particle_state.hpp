@@ -1,0 +1,23 @@
+// The particles' state to and from what a run starts with and what it gives.
+#pragma once
+
+#include "sim/initial.hpp"
+#include "sim/openmp/executor.hpp"
+#include "sim/particles.hpp"
+#include "sim/simulation.hpp"
+
+namespace spindrift::sim {
+
+/// Takes over the particles of a start, numbered from 0.
+void set_particles(Particles& particles, const InitialParticles& initial);
+
+/// Takes over those of a frame.
+void set_particles(Particles& particles, const Frame& frame);
+
+/// Puts the particles into a frame. @param rest_density kg/m³
+void put_particles(const Particles& particles, float rest_density, Frame& frame);
+
+/// m/s.
+float largest_speed(Executor& executor, Particles& particles);
+
+}  // namespace spindrift::sim

@@ -1,0 +1,79 @@
+#include "sim/surface_tension.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/lattice.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+TensionView view_of(const FluidConstants& c) {
+  const TensionKernel kernel(c.spacing, c.support_radius);
+  const double slope = -6. * kernel.scale * kernel.inverse_squared_radius;  // of w, over r
+  const double mass = double{c.rest_density} * c.volume;
+  const double surface = double{c.surface_tension} * c.spacing * c.spacing;  // J
+  const double factor = 2 * SurfaceTension::lack_weight * slope * surface / mass;
+  const double cos_angle = std::cos(double{c.contact_angle} * std::numbers::pi / 180);
+  const double wetting = 1 - std::sqrt(std::max(0., -cos_angle));
+  return {
+      .kernel = kernel,
+      .factor = static_cast<float>(factor),
+      .gradient_factor = SurfaceTension::gradient_weight / SurfaceTension::lack_weight * c.spacing,
+      .wetting = static_cast<float>(wetting / c.volume),
+      .lack = nullptr,
+      .gradient = {}};
+}
+
+}  // namespace
+
+TensionKernel::TensionKernel(float spacing, float support_radius)
+    : inverse_squared_radius(1 / (support_radius * support_radius)) {
+  double sum = 0;
+  for_lattice_points(spacing, support_radius,
+                     [&](const Vec3<float>& p) { sum += std::pow(double{reach(dot(p, p))}, 3); });
+  scale = static_cast<float>(1 / sum);
+}
+
+SurfaceTension::SurfaceTension(const FluidConstants& constants) : view_(view_of(constants)) {}
+
+bool SurfaceTension::apply(const StepContext& s) {
+  // Lists reach this far beyond the support radius, and pressure needs the most of it.
+  constexpr float largest_move = 0.01f;
+  Particles& p = s.particles;
+  const std::uint32_t n = p.count;
+  view_.lack = lack_.resized(n);
+  gradient_.resize(n);
+  view_.gradient = gradient_.view();
+  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
+                   dv = p.acceleration.view();
+  s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
+    const Colour<float> c = colour(i, s.constants, view_, x, s.neighbours, s.boundary);
+    view_.lack[i] = std::max(0.f, 1 - c.value);
+    view_.gradient.set(i, c.gradient);
+  });
+  s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
+    dv.set(i, s.is_held(i) ? Vec3<float>{0, 0, 0}
+                           : s.kick * tension_acceleration(i, view_, x, s.neighbours, s.boundary));
+  });
+  const float dt = s.time_step;
+  const ContactView walls = s.contact;
+  const Largest squared_move =
+      s.executor.reduce<Largest>("apply surface tension", n, [=, &s](std::uint32_t i) {
+        if (s.is_held(i))
+          return Largest{};
+        const Vec3<float> change = dv[i], move = dt * change;
+        v.set(i, v[i] + change);
+        x.set(i, walls.resolve(x[i] + move));
+        return Largest{dot(move, move)};
+      });
+  return std::sqrt(squared_move.value) > largest_move * s.constants.support_radius;
+}
+
+float SurfaceTension::time_step_limit(const FluidConstants& c) {
+  const float d = c.spacing;
+  return 0.3f * std::sqrt(c.rest_density * d * d * d / c.surface_tension);
+}
+
+}  // namespace spindrift::sim

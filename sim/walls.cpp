@@ -1,0 +1,63 @@
+#include "sim/walls.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sim/motion.hpp"
+#include "sim/particles.hpp"
+
+namespace spindrift::sim {
+
+Walls::Walls(const Settings& settings, const GridMap& map, float radius)
+    : fixed_(without_moving(settings)),
+      boundary_(fixed_, map, radius),
+      moving_(any_moves(settings.obstacles)
+                  ? std::make_unique<MovingBodies>(settings, map, boundary_)
+                  : nullptr) {}
+
+ContactView Walls::contact() const {
+  ContactView view{from_glm(fixed_.domain.min), from_glm(fixed_.domain.max),
+                   fixed_.obstacles.data(), fixed_.obstacles.size(), OpenFaces(fixed_.domain)};
+  if (moving_)
+    view.bodies = moving_->bodies();
+  return view;
+}
+
+void Walls::move(Executor& executor, double start, double end) {
+  if (moving_)
+    moving_->place(executor, start, end);
+}
+
+double Walls::step_within(double distance, double time, double longest) const {
+  return moving_ ? moving_->step_within(distance, time, longest) : longest;
+}
+
+void Walls::set_sample(std::uint32_t b, float volume, float solid) {
+  if (moving_)
+    moving_->set_sample(b, volume, solid);
+  else
+    boundary_.set_sample(b, volume, solid);
+}
+
+std::vector<float> Walls::pressures() const {
+  if (moving_)
+    return moving_->pressures();
+  const float* values = boundary_.pressures().data();
+  return {values, values + boundary_.count()};
+}
+
+void Walls::set_pressures(const std::vector<float>& pressures) {
+  const std::size_t samples = moving_ ? moving_->pressures().size() : boundary_.count();
+  if (pressures.size() != samples)
+    throw std::invalid_argument("cannot go on from a frame with other walls or obstacles");
+  if (moving_)
+    moving_->set_pressures(pressures);
+  else
+    std::copy(pressures.begin(), pressures.end(), boundary_.pressures().data());
+}
+
+std::size_t Walls::memory_bytes() const {
+  return boundary_.memory_bytes() + (moving_ ? moving_->memory_bytes() : 0);
+}
+
+}  // namespace spindrift::sim

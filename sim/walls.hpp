@@ -1,0 +1,48 @@
+// All that is solid: the domain's walls, and obstacles, fixed or moving; as samples with volume,
+// and as surfaces that stop particles.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/boundary.hpp"
+#include "sim/contact.hpp"
+#include "sim/moving_bodies.hpp"
+
+namespace spindrift::sim {
+
+class Walls {
+ public:
+  /// @param map of all places where particles may be @param radius the support radius, m
+  Walls(const Settings& settings, const GridMap& map, float radius);
+
+  /// Until move() is called first: the samples of what is fixed.
+  Boundary& boundary() { return boundary_; }
+  const Boundary& boundary() const { return boundary_; }
+  ContactView contact() const;
+
+  /// Whether anything moves.
+  bool move() const { return moving_ != nullptr; }
+  /// Puts what moves where it is at the end of a step, s.
+  void move(Executor& executor, double start, double end);
+  /// As MovingBodies::step_within.
+  double step_within(double distance, double time, double longest) const;
+
+  /// Changes how much a sample of what is fixed stands for: nothing where a nozzle opens the wall.
+  /// @param b its number before move() was called first
+  void set_sample(std::uint32_t b, float volume, float solid);
+
+  /// Pressures of all samples, in an order that does not depend on where they are, Pa.
+  std::vector<float> pressures() const;
+  /// @throws std::invalid_argument where these are not so many
+  void set_pressures(const std::vector<float>& pressures);
+
+  std::size_t memory_bytes() const;
+
+ private:
+  Settings fixed_;  ///< without the obstacles that move
+  Boundary boundary_;
+  std::unique_ptr<MovingBodies> moving_;  ///< null where nothing moves
+};
+
+}  // namespace spindrift::sim
