@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/lattice.hpp"
+#include "sim/velocity_change.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -39,15 +40,12 @@ TensionKernel::TensionKernel(float spacing, float support_radius)
 SurfaceTension::SurfaceTension(const FluidConstants& constants) : view_(view_of(constants)) {}
 
 bool SurfaceTension::apply(const StepContext& s) {
-  // Lists reach this far beyond the support radius, and pressure needs the most of it.
-  constexpr float largest_move = 0.01f;
   Particles& p = s.particles;
   const std::uint32_t n = p.count;
   view_.lack = lack_.resized(n);
   gradient_.resize(n);
   view_.gradient = gradient_.view();
-  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
-                   dv = p.acceleration.view();
+  const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view();
   s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
     const Colour<float> c = colour(i, s.constants, view_, x, s.neighbours, s.boundary);
     view_.lack[i] = std::max(0.f, 1 - c.value);
@@ -57,18 +55,7 @@ bool SurfaceTension::apply(const StepContext& s) {
     dv.set(i, s.is_held(i) ? Vec3<float>{0, 0, 0}
                            : s.kick * tension_acceleration(i, view_, x, s.neighbours, s.boundary));
   });
-  const float dt = s.time_step;
-  const ContactView walls = s.contact;
-  const Largest squared_move =
-      s.executor.reduce<Largest>("apply surface tension", n, [=, &s](std::uint32_t i) {
-        if (s.is_held(i))
-          return Largest{};
-        const Vec3<float> change = dv[i], move = dt * change;
-        v.set(i, v[i] + change);
-        x.set(i, walls.resolve(x[i] + move));
-        return Largest{dot(move, move)};
-      });
-  return std::sqrt(squared_move.value) > largest_move * s.constants.support_radius;
+  return change_velocities(s, "apply surface tension");
 }
 
 float SurfaceTension::time_step_limit(const FluidConstants& c) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/lattice.hpp"
+#include "sim/velocity_change.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -28,29 +29,12 @@ Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
       explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
 
 bool Viscosity::apply(const StepContext& s) {
-  // Lists reach this far beyond the support radius, and pressure needs the most of it.
-  constexpr float largest_move = 0.01f;
-  Particles& p = s.particles;
-  const std::uint32_t n = p.count;
-  p.drifted_velocity.view().set(n, {0, 0, 0});
+  s.particles.drifted_velocity.view().set(s.particles.count, {0, 0, 0});
   if (s.time_step <= explicit_limit_)
     explicit_step(s);
   else
     implicit_step(s);
-  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
-                   dv = p.acceleration.view();
-  const float dt = s.time_step;
-  const ContactView walls = s.contact;
-  const Largest squared_move =
-      s.executor.reduce<Largest>("apply viscosity", n, [=, &s](std::uint32_t i) {
-        if (s.is_held(i))
-          return Largest{};
-        const Vec3<float> change = dv[i], move = dt * change;
-        v.set(i, v[i] + change);
-        x.set(i, walls.resolve(x[i] + move));
-        return Largest{dot(move, move)};
-      });
-  return std::sqrt(squared_move.value) > largest_move * support_radius_;
+  return change_velocities(s, "apply viscosity");
 }
 
 /// What a nozzle moves is not slowed by its neighbours.

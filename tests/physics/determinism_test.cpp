@@ -1,12 +1,11 @@
 // The same scene gives the same bytes: for any number of threads, and when a run is gone on with.
-#include <omp.h>
-
 #include <catch2/catch.hpp>
-#include <cstring>
 
+#include "same_frames.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift::sim;
+using namespace spindrift::test;
 
 namespace {
 
@@ -20,36 +19,11 @@ Settings splash(SolverType solver) {
   return s;
 }
 
-template <class T>
-bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
-void check_same(const Frame& a, const Frame& b) {
-  CHECK(same_bytes(a.ids, b.ids));
-  CHECK(same_bytes(a.positions, b.positions));
-  CHECK(same_bytes(a.velocities, b.velocities));
-  CHECK(same_bytes(a.pressures, b.pressures));
-  CHECK(same_bytes(a.densities, b.densities));
-  CHECK(a.last_time_step == b.last_time_step);
-}
-
 }  // namespace
 
 TEST_CASE("particles are the same bytes for one, two and four threads") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
-  const int threads_before = omp_get_max_threads();
-  std::vector<Frame> frames;
-  for (const int threads : {1, 2, 4}) {
-    omp_set_num_threads(threads);
-    Simulation simulation(splash(solver));
-    simulation.advance_to(0.1);
-    simulation.advance_to(0.2);
-    frames.push_back(simulation.frame());
-  }
-  omp_set_num_threads(threads_before);
-  check_same(frames[0], frames[1]);
-  check_same(frames[0], frames[2]);
+  check_same_for_threads(splash(solver), {0.1, 0.2});
 }
 
 TEST_CASE("a run that starts with overlapping blocks is gone on with to the same bytes") {

@@ -1,12 +1,10 @@
 // Settings in which particle methods explode, leak or break down: forces, viscosities, sizes, and a
 // long time. What is asked is the same as in hard_cases_test.cpp.
-#include <omp.h>
-
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <numbers>
 
 #include "hard_cases.hpp"
+#include "same_frames.hpp"
 
 using namespace spindrift::sim;
 using namespace spindrift::test;
@@ -19,11 +17,6 @@ Settings half_full(SolverType solver) {
   s.domain.max.z = 0.25f;
   s.fluid.volumes = {{Box{{0, 0, 0}, {1, 0.5f, 0.25f}}}};
   return s;
-}
-
-template <class T>
-bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
 }  // namespace
@@ -156,17 +149,5 @@ TEST_CASE("hard: a tank left at rest for a minute, basic SPH", "[hard][long]") {
 TEST_CASE("hard: the same bytes for one, two and four threads", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = GENERATE_COPY(jets(solver), overlap(solver), column(solver, 7 * d));
-  const int threads_before = omp_get_max_threads();
-  std::vector<Frame> frames;
-  for (const int threads : {1, 2, 4}) {
-    omp_set_num_threads(threads);
-    frames.push_back(watch(s, 0.02, 1).end);
-  }
-  omp_set_num_threads(threads_before);
-  for (const std::size_t k : {1u, 2u}) {
-    CHECK(same_bytes(frames[0].positions, frames[k].positions));
-    CHECK(same_bytes(frames[0].velocities, frames[k].velocities));
-    CHECK(same_bytes(frames[0].pressures, frames[k].pressures));
-    CHECK(same_bytes(frames[0].ids, frames[k].ids));
-  }
+  check_same_for_threads(s, {0.02});
 }

@@ -1,13 +1,11 @@
 // Obstacles that move: walls that push, stir and lift, however fast. In each: all finite, none
 // outside or behind a wall, none lost, no more energy than there was and the walls' work, no more
 // compression than the scene asks for.
-#include <omp.h>
-
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "hard_cases.hpp"
 #include "mesh_support.hpp"
+#include "same_frames.hpp"
 #include "sim/motion.hpp"
 
 using namespace spindrift::sim;
@@ -196,35 +194,11 @@ Settings all_at_once(SolverType solver) {
   return s;
 }
 
-template <class T>
-bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
-void check_same(const Frame& a, const Frame& b) {
-  CHECK(same_bytes(a.ids, b.ids));
-  CHECK(same_bytes(a.positions, b.positions));
-  CHECK(same_bytes(a.velocities, b.velocities));
-  CHECK(same_bytes(a.pressures, b.pressures));
-  CHECK(same_bytes(a.boundary_pressures, b.boundary_pressures));
-}
-
 }  // namespace
 
 TEST_CASE("moving walls give the same bytes for one and two and four threads") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
-  const int threads_before = omp_get_max_threads();
-  std::vector<Frame> frames;
-  for (const int threads : {1, 2, 4}) {
-    omp_set_num_threads(threads);
-    Simulation simulation(all_at_once(solver));
-    simulation.advance_to(0.02);
-    simulation.advance_to(0.04);
-    frames.push_back(simulation.frame());
-  }
-  omp_set_num_threads(threads_before);
-  check_same(frames[0], frames[1]);
-  check_same(frames[0], frames[2]);
+  check_same_for_threads(all_at_once(solver), {0.02, 0.04});
 }
 
 TEST_CASE("a run with moving walls is gone on with to the same bytes") {

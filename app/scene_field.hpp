@@ -1,0 +1,67 @@
+// What a key of the scene file is: its name, its place in the settings, and what it may be.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace spindrift::app {
+
+/// Accepted numbers, both ends included; for vectors, each component.
+struct Range {
+  double min = 0.;
+  double max = 0.;
+};
+
+enum class Presence { optional, required };
+
+/// One key: its place in the settings, what it may be, and what it is. A field without a key puts
+/// the keys of its own type (a struct's fields, or a variant's alternatives) into its owner's.
+template <class Owner, class Value>
+struct Field {
+  std::string_view key;
+  Value Owner::*member;
+  std::string_view about = {};
+  Range range = {};
+  std::string_view unit = {};
+  Presence presence = Presence::optional;
+};
+
+template <class Owner, class Value>
+Field(std::string_view, Value Owner::*, std::string_view = {}, Range = {}, std::string_view = {},
+      Presence = Presence::optional) -> Field<Owner, Value>;
+
+struct NoTable {};
+template <class T>
+inline constexpr NoTable table{};
+
+template <class T>
+concept Section = !std::is_same_v<decltype(table<T>), const NoTable>;
+
+/// Calls f with every field of a section's table, in order.
+template <Section T, class F>
+void for_each_field(F&& f) {
+  std::apply([&](const auto&... field) { (f(field), ...); }, table<T>);
+}
+
+/// A value that may be left out; it is then left out of the resolved scene as well.
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Names of an enumeration's values, in the order of the values, which count from 0.
+template <class E>
+inline constexpr std::array<std::string_view, 0> value_names{};
+
+/// What a variant is called in messages, and the keys of its alternatives, in its order.
+template <class V>
+inline constexpr std::string_view variant_name{};
+template <class V>
+inline constexpr std::array<std::string_view, 0> alternative_names{};
+template <class V>
+concept Alternatives = !variant_name<V>.empty();
+
+}  // namespace spindrift::app
