@@ -39,6 +39,7 @@ class Boundary {
   std::uint32_t count() const { return count_; }
   const CellGrid& grid() const { return grid_; }
   Vec3Arrays positions() { return position_.view(); }
+  glm::vec3 position(std::uint32_t b) const { return position_.at(b); }  ///< m
   const float* volumes() { return volume_.data(); }
   const float* solids() { return solid_.data(); }
   /// Pa·s; null where all have the fluid's.

@@ -55,9 +55,11 @@ class Inflow {
     std::uint32_t nozzle;
     std::int64_t k;
   };
+  /// A wall's sample while the nozzle is closed and while it is open.
   struct WallSample {
     std::uint32_t index;
-    float volume, solid;
+    float volume, solid;            ///< m³; as Boundary's
+    float open_volume, open_solid;  ///< m³; as Boundary's
   };
   struct Opening {
     std::vector<WallSample> samples;

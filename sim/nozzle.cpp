@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/kernels.hpp"
+
 namespace spindrift::sim {
 namespace {
 
@@ -168,6 +170,21 @@ bool Nozzle::is_in_the_way(const glm::vec3& p) const {
     return along < 0.25f * reach_ && along > -(depth + 1) * static_cast<float>(distance_) &&
            glm::length(p - at - along * direction_) < reach_;
   });
+}
+
+double Nozzle::kernel_sum(const glm::vec3& p, const CubicKernel& kernel) const {
+  constexpr int moments = 8;
+  double largest = 0;
+  for (int moment = 0; moment < moments; ++moment) {
+    double sum = 0;
+    for (int layer = 0; layer < depth; ++layer) {
+      const double behind = (layer + static_cast<double>(moment) / moments) * distance_;
+      for (const glm::vec3& point : points_)
+        sum += kernel.value(glm::distance(p, point - static_cast<float>(behind) * direction_));
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest;
 }
 
 float Nozzle::speed_within(double begin, double end) const {

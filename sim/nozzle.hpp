@@ -14,6 +14,8 @@
 
 namespace spindrift::sim {
 
+struct CubicKernel;
+
 /// The points in an emitter's opening through which particles come, so that each stands for the
 /// same share of its area; m. About a spacing apart: A/N = b², and layers follow each other as the
 /// particle's volume wants it, d³/b².
@@ -53,6 +55,9 @@ class Nozzle {
   double closed_part(double time) const;
   /// Whether a wall's sample is in the way of the liquid in the nozzle.
   bool is_in_the_way(const glm::vec3& p) const;
+  /// Σ W over the particles in the full nozzle at a point, at the moment when it is largest as
+  /// layers go by; 1/m³.
+  double kernel_sum(const glm::vec3& p, const CubicKernel& kernel) const;
   /// The fastest speed in the nozzle in the time between, m/s.
   float speed_within(double begin, double end) const;
   /// The box around all particles in the nozzle.

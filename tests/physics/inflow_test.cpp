@@ -263,19 +263,30 @@ TEST_CASE("a nozzle in the floor beside a moving paddle: gone on with to the sam
   CHECK(end.positions == again.positions);
   CHECK(end.velocities == again.velocities);
   CHECK(end.boundary_pressures == again.boundary_pressures);
-  // Of the floor's samples none presses in the nozzle's way: the jet leaves as fast as it is
-  // pushed.
-  float speed = 0, fastest = 0;
-  int near = 0;
-  for (std::size_t i = 0; i < kept.positions.size(); ++i)
-    if (glm::distance(kept.positions[i], glm::vec3(0.25f, 0.05f, 0.15f)) < 0.04f) {
-      speed += kept.velocities[i].y;
-      fastest = std::max(fastest, kept.velocities[i].y);
-      ++near;
-    }
-  REQUIRE(near > 0);
-  CHECK(speed / static_cast<float>(near) == Approx(1.5).margin(0.2));
-  CHECK(fastest < 2);
+}
+
+TEST_CASE("a jet out of a hole in the floor rises as it was thrown") {
+  Settings s;
+  s.fluid.spacing = 0.025f;
+  s.fluid.volumes.clear();
+  s.domain = {{0, 0, 0}, {0.4f, 0.5f, 0.3f}};
+  s.fluid.emitters = {
+      {.opening = Disc{{0.25f, 0, 0.15f}, {0, 1, 0}, 0.06f}, .speed = 1.5f, .from = 0.02f}};
+  Simulation simulation(s);
+  simulation.advance_to(0.1);
+  const Frame frame = simulation.frame();
+  int seen = 0;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const float y = frame.positions[i].y;
+    if (y < 0.005f || y > 0.08f)
+      continue;
+    ++seen;
+    // The liquid below may push it on as it slows down, but not beyond the speed in the nozzle.
+    INFO(y << " m above the floor");
+    CHECK(frame.velocities[i].y < 1.52f);
+    CHECK(frame.velocities[i].y > std::sqrt(1.5f * 1.5f - 2 * 9.81f * y) - 0.1f);
+  }
+  CHECK(seen > 30);
 }
 
 TEST_CASE("an emitter in a wall that is off leaves the liquid as it is without one") {
