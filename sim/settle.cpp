@@ -36,20 +36,17 @@ Vec3<float> direction_of(std::uint32_t id) {
           static_cast<float>(across * std::sin(angle)), static_cast<float>(z)};
 }
 
-class Settling {
- public:
-  Settling(Executor& e, Particles& p, Neighbourhood& n, Inflow& i, const FluidConstants& c,
-           const SolverSettings& s, const GridMap& m, const ContactView& w, float r)
-      : executor(e),
-        particles(p),
-        neighbourhood(n),
-        inflow(i),
-        constants(c),
-        settings(s),
-        map(m),
-        contact(w),
-        radius(r),
-        solver(make_pcisph(s, c)) {}
+struct Settling {
+  Executor& executor;
+  Particles& particles;
+  Neighbourhood& neighbourhood;
+  Inflow& inflow;
+  const FluidConstants& constants;
+  const SolverSettings& settings;
+  const GridMap& map;
+  const ContactView& contact;
+  float radius;
+  std::unique_ptr<PressureSolver> solver = make_pcisph(settings, constants);
 
   int run() {
     place_alone();
@@ -66,7 +63,6 @@ class Settling {
         "make fluid.volumes smaller or domain larger");
   }
 
- private:
   void find_neighbours() {
     const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
     executor.for_each("settle", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
@@ -152,24 +148,13 @@ class Settling {
                                                .rate = 1,
                                                .settling = true,
                                                .densest = densest});
-      if (!result.accepted && part < 0.99f)
-        continue;
-      break;
+      // Where nothing is accepted, a small part of too large a correction is better than none.
+      if (result.accepted || part >= 0.99f)
+        break;
     }
     const Vec3Arrays corrected = particles.corrected_position.view();
     executor.for_each("settle", n, [=](std::uint32_t i) { x.set(i, corrected[i]); });
   }
-
-  Executor& executor;
-  Particles& particles;
-  Neighbourhood& neighbourhood;
-  Inflow& inflow;
-  const FluidConstants& constants;
-  const SolverSettings& settings;
-  const GridMap& map;
-  const ContactView& contact;
-  float radius;
-  std::unique_ptr<PressureSolver> solver;
 };
 
 }  // namespace
@@ -177,8 +162,8 @@ class Settling {
 int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, Inflow& inflow,
            const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
            const ContactView& contact, float radius) {
-  return Settling(executor, particles, neighbourhood, inflow, constants, settings, map, contact,
-                  radius)
+  return Settling{executor, particles, neighbourhood, inflow, constants,
+                  settings, map,       contact,       radius}
       .run();
 }
 
