@@ -22,10 +22,6 @@ constexpr float relaxation = 0.45f;
 /// neighbourhood it was computed in, and is repeated smaller.
 constexpr float largest_correction = 0.4f;
 
-/// Iterations after which a step may add the whole tolerance, however short it is: errors of a tall
-/// column as a whole can be slow to go.
-constexpr int patience = 20;
-
 /// How far the iteration is from its end.
 struct Residual {
   double compression = 0;  ///< Σ ρ/ρ₀ − 1 over compressed particles
@@ -61,7 +57,7 @@ class Pcisph : public PressureSolver {
       if (!(move <= largest_move))
         return {.accepted = false, .iterations = iteration};
       const Residual residual = predict_density(s, delta);
-      if (iteration >= settings_.min_iterations && converged(residual, s, iteration))
+      if (iteration >= settings_.min_iterations && converged(residual, s))
         return {true, iteration, s.time_step / s.kick};
       if (iteration == settings_.max_iterations)
         return {.accepted = false, .iterations = iteration};
@@ -89,12 +85,11 @@ class Pcisph : public PressureSolver {
 
   /// Refused steps ask for a little less each time: where a step starts at the very tolerance, a
   /// shorter one would not end below it either.
-  bool converged(const Residual& residual, const StepContext& s, int iteration) const {
-    const double rate = iteration < patience ? s.rate : 1;
+  bool converged(const Residual& residual, const StepContext& s) const {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
     return residual.largest <= lenience * settings_.max_compression &&
-           residual.compression <= mean && residual.error <= 2 * mean * rate;
+           residual.compression <= mean && residual.error <= 2 * mean * s.rate;
   }
 
   /// A part of the last step's pressure. The pressure that is kept is the mean over the time
@@ -167,7 +162,8 @@ class Pcisph : public PressureSolver {
     return residual;
   }
 
-  /// The same for the wet boundary samples; returns the sum of their errors.
+  /// The same for the wet boundary samples; returns the sum of what they press beyond their need.
+  /// (Where one is too dense the liquid beside it is, and counts.)
   double predict_wet_density(const StepContext& s, float delta) {
     const Vec3Arrays corrected = s.particles.corrected_position.view();
     const BoundaryView& solid = s.boundary;
