@@ -63,7 +63,6 @@ class AndersonAcceleration {
     return {mixed(iterates_), mixed(residuals_)};
   }
 
-  float residual(std::uint32_t i) const { return residuals_[0][i]; }
   std::size_t memory_bytes() const { return 2 * (memory + 1) * iterates_[0].memory_bytes(); }
 
  private:

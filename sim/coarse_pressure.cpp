@@ -12,6 +12,10 @@ namespace {
 /// density than its pressure can hold it up, by this ratio.
 constexpr float slack = 0.03f;
 
+/// What a disordered neighbourhood lacks of the lattice's conductance is no surface. Counted as
+/// one, it would let pressure leak away within some twenty spacings, and a tall column fall.
+constexpr float disorder = 0.03f;
+
 }  // namespace
 
 CoarsePressure::CoarsePressure(const FluidConstants& constants)
@@ -53,9 +57,9 @@ void CoarsePressure::build(const StepContext& s, float delta) {
     const float inside = conductance_between(s, c, c);
     const float lacking =
         lattice_conductance_ * particles - inside - around - conductance_to_walls(s, c);
+    const float full = lattice_conductance_ * particles;
     // The last part keeps a body of liquid without any surface solvable.
-    const float diagonal =
-        around + std::max(0.f, lacking) + 1e-4f * lattice_conductance_ * particles;
+    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
     conductance_[place(c, self)] = diagonal;
     inverse_diagonal_[c] = diagonal > 0 ? 1 / diagonal : 0.f;
   });

@@ -10,6 +10,7 @@
 // B-splines, which leave no kinks for the particles to mend.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -27,10 +28,18 @@ class CoarsePressure {
   /// @param delta pressure per density ratio, δ, Pa
   void build(const StepContext& s, float delta);
 
-  /// The pressure per cell, Pa, that takes away the residuals: residual(k) is ρ/ρ₀ − 1 of particle
-  /// k for k < count, then of the wet boundary samples.
+  /// What is wrong at a particle or a wet boundary sample, in density ratios.
+  struct Error {
+    float compression;  ///< ρ/ρ₀ − 1
+    float held_up;      ///< how far pressure can hold ρ/ρ₀ below what is wanted, p/δ
+  };
+
+  /// The pressure per cell, Pa, that takes away the errors: error(k) is that of particle k for
+  /// k < count, then of the wet boundary samples. A cell's errors are added up with their signs,
+  /// and only their sum is bounded by what there is of pressure: else the scatter of single
+  /// particles would look like compression of the whole, and throw a tall column up.
   template <class F>
-  void solve(const StepContext& s, F residual);
+  void solve(const StepContext& s, F error);
 
   /// f(i, pressure at particle i, Pa) for all particles of a cell.
   template <class F>
@@ -46,9 +55,9 @@ class CoarsePressure {
   /// Of a cell and those around it, Pa; its own where there is none.
   using Around = std::array<float, slots>;
 
-  /// Part of the solution that is applied. Pressure outlasts the step in the warm start, and with
-  /// more than about 1.15 times what is needed the steps would swing from one side to the other.
-  static constexpr float gain = 0.45f;
+  /// Part of the solution that is applied. Pressure outlasts the step in the warm start, so that
+  /// with much more the steps swing from one side to the other.
+  static constexpr float gain = 0.3f;
 
   void find_active(const StepContext& s, float delta);
   void connect(const StepContext& s, std::uint32_t cell);
@@ -81,17 +90,27 @@ class CoarsePressure {
 };
 
 template <class F>
-void CoarsePressure::solve(const StepContext& s, F residual) {
+void CoarsePressure::solve(const StepContext& s, F error) {
   const CellGrid& grid = *s.grid;
+  ScalarField& held_up = image_;
   s.executor.for_each("coarse pressure", count_, [&](std::uint32_t c) {
-    float sum = 0;
-    for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i)
-      sum += active_[i] * residual(i);
-    residual_[c] = sum;
+    Error sum{0, 0};
+    for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i) {
+      const Error e = error(i);
+      sum.compression += active_[i] * e.compression;
+      sum.held_up += active_[i] * e.held_up;
+    }
+    residual_[c] = sum.compression;
+    held_up[c] = sum.held_up;
   });
-  for (std::uint32_t k = 0; k < s.boundary.wet_count; ++k)
-    residual_[wet_cell_[k]] +=
-        s.boundary.volume[s.boundary.wet[k]] / s.constants.volume * residual(s.particles.count + k);
+  for (std::uint32_t k = 0; k < s.boundary.wet_count; ++k) {
+    const float share = s.boundary.volume[s.boundary.wet[k]] / s.constants.volume;
+    const Error e = error(s.particles.count + k);
+    residual_[wet_cell_[k]] += share * e.compression;
+    held_up[wet_cell_[k]] += share * e.held_up;
+  }
+  for (std::uint32_t c = 0; c < count_; ++c)
+    residual_[c] = std::max(residual_[c], -held_up[c]);
   conjugate_gradients(s.executor);
   const float scale = gain * aggregate_factor_ / map_.inverse_cell * s.constants.rest_density /
                       (s.time_step * s.time_step);

@@ -44,6 +44,7 @@ struct BoundaryView {
   Vec3Arrays velocity;                    ///< m/s; null: all are at rest
   float* pressure = nullptr;              ///< of the last step, Pa
   float* step_pressure = nullptr;         ///< the iterate of this step, Pa
+  float* compression = nullptr;           ///< ρ_b/ρ₀ − 1 left over by the last step
   NeighbourView neighbours;               ///< of each fluid particle: samples
   NeighbourView fluid;                    ///< of each sample: fluid particles
   const std::uint32_t* wet = nullptr;     ///< the samples that have fluid neighbours

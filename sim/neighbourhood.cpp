@@ -23,7 +23,7 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
     if (!wet_lists_.view().empty(b))
       wet_.push_back(b);
     else
-      boundary_.pressures()[b] = boundary_.step_pressures()[b] = 0;
+      boundary_.pressures()[b] = boundary_.step_pressures()[b] = boundary_.compressions()[b] = 0;
   }
 }
 

@@ -18,13 +18,17 @@ constexpr float warm_start = 0.8f;
 /// not converge.
 constexpr float relaxation = 0.45f;
 
+/// Part of what a step has left over that is taken away at once, by the positions alone, and how
+/// much of it at most, in tolerances of the largest compression.
+constexpr float eased = 0.6f, most_eased = 0.15f;
+
 /// A step in which pressure moves any particle further than this many spacings has left the
 /// neighbourhood it was computed in, and is repeated smaller.
 constexpr float largest_correction = 0.4f;
 
 /// How far the iteration is from its end.
 struct Residual {
-  double compression = 0;  ///< Σ ρ/ρ₀ − 1 over compressed particles
+  double compression = 0;  ///< Σ max(0, ρ/ρ₀ − 1)
   double error = 0;  ///< Σ of how far ρ/ρ₀ is from what is wanted, above it, or below it as far
                      ///< as pressure holds it up
   float largest = 0;  ///< ρ/ρ₀ − 1
@@ -69,6 +73,33 @@ class Pcisph : public PressureSolver {
     }
   }
 
+  void ease(const StepContext& s) override {
+    Particles& p = s.particles;
+    const BoundaryView& solid = s.boundary;
+    const float delta = stiffness(s), most = most_eased * settings_.max_compression;
+    const auto pressure_for = [=](float compression, float pressure) {
+      return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
+    };
+    const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data();
+    float* easing = p.step_pressure.data();
+    s.executor.for_each("ease", p.count, [&](std::uint32_t i) {
+      easing[i] = s.is_held(i) ? 0 : pressure_for(ratio[i] - 1, pressure[i]);
+    });
+    s.executor.for_each("ease", solid.wet_count, [&](std::uint32_t k) {
+      const std::uint32_t b = solid.wet[k];
+      solid.step_pressure[b] =
+          pressure_for(wet_compression_[k] + kept_by_sample(s, b), solid.pressure[b]);
+    });
+    const Vec3Arrays x = p.corrected_position.view(), moved = p.drifted_position.view();
+    const float dt2 = s.time_step * s.time_step;
+    s.executor.for_each("ease", p.count, [&](std::uint32_t i) {
+      const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, x, easing,
+                                                  s.neighbours, s.boundary);
+      moved.set(i, s.is_held(i) ? x[i] : s.contact.resolve(x[i] + dt2 * a));
+    });
+    keep_if_better(s, delta);
+  }
+
   float time_step_limit() const override { return settings_.max_time_step; }
 
   std::size_t memory_bytes() const override {
@@ -83,13 +114,14 @@ class Pcisph : public PressureSolver {
     return static_cast<float>(s.constants.rest_density / (v_dt * v_dt * gradient_product_));
   }
 
-  /// Refused steps ask for a little less each time: where a step starts at the very tolerance, a
-  /// shorter one would not end below it either.
+  /// A step is not refused for what there was before it. Refused steps ask for a little less each
+  /// time: where one starts at the very tolerance, a shorter one would not end below it either.
   bool converged(const Residual& residual, const StepContext& s) const {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
     return residual.largest <= lenience * settings_.max_compression &&
-           residual.compression <= mean && residual.error <= 2 * mean * s.rate;
+           residual.compression <= std::max(mean, s.leftover) &&
+           residual.error <= 2 * mean * s.rate;
   }
 
   /// A part of the last step's pressure. The pressure that is kept is the mean over the time
@@ -162,8 +194,8 @@ class Pcisph : public PressureSolver {
     return residual;
   }
 
-  /// The same for the wet boundary samples; returns the sum of what they press beyond their need.
-  /// (Where one is too dense the liquid beside it is, and counts.)
+  /// The same for the wet boundary samples; returns the sum of their errors. Without them a pair of
+  /// particles that lands on a floor bounces.
   double predict_wet_density(const StepContext& s, float delta) {
     const Vec3Arrays corrected = s.particles.corrected_position.view();
     const BoundaryView& solid = s.boundary;
@@ -172,8 +204,9 @@ class Pcisph : public PressureSolver {
         s.executor.reduce<Sum>("predict density", solid.wet_count, [&](std::uint32_t k) {
           const std::uint32_t b = solid.wet[k];
           compression[k] =
-              boundary_density_ratio(b, s.constants, density_kernel_, corrected, solid) - 1.f;
-          return Sum{std::max(0.f, std::min(-compression[k], solid.step_pressure[b] / delta))};
+              boundary_density_ratio(b, s.constants, density_kernel_, corrected, solid) - 1.f -
+              kept_by_sample(s, b);
+          return Sum{std::abs(std::max(compression[k], -solid.step_pressure[b] / delta))};
         });
     return error.value;
   }
@@ -195,13 +228,21 @@ class Pcisph : public PressureSolver {
   static float compression_of(const StepContext& s, std::uint32_t i) {
     return s.particles.density_ratio[i] - 1.f - s.excess[i];
   }
+  static float kept_by_sample(const StepContext& s, std::uint32_t b) {
+    return s.kept * s.boundary.compression[b];
+  }
 
   /// The first correction of a step: what the whole liquid needs, from the coarse grid, and what
   /// each particle does.
   void correct_everywhere(const StepContext& s, float delta) {
     coarse_.build(s, delta);
-    coarse_.solve(s, [&](std::uint32_t k) { return acceleration_.residual(k); });
     float* p = s.particles.step_pressure.data();
+    const std::uint32_t n = s.particles.count;
+    coarse_.solve(s, [&](std::uint32_t k) {
+      return k < n ? CoarsePressure::Error{compression_of(s, k), p[k] / delta}
+                   : CoarsePressure::Error{wet_compression_[k - n],
+                                           s.boundary.step_pressure[s.boundary.wet[k - n]] / delta};
+    });
     const float part = relaxation * delta;
     s.executor.for_each("correct pressure", static_cast<std::uint32_t>(s.grid->cell_count()),
                         [&](std::uint32_t c) {
@@ -224,6 +265,44 @@ class Pcisph : public PressureSolver {
       const AndersonAcceleration::Point best = acceleration_.at(k);
       const float pressure = std::max(0.f, best.iterate + part * best.residual);
       (k < n ? p[k] : solid.step_pressure[solid.wet[k - n]]) = pressure;
+    });
+  }
+
+  struct Errors {
+    double before = 0, after = 0;  ///< Σ of their squares
+    float largest_before = 0, largest_after = 0;
+    void join(const Errors& o) {
+      before += o.before;
+      after += o.after;
+      largest_before = std::max(largest_before, o.largest_before);
+      largest_after = std::max(largest_after, o.largest_after);
+    }
+  };
+
+  /// Takes over the moved positions, which stand where the drifted ones did, and their density
+  /// ratios, if they are better.
+  void keep_if_better(const StepContext& s, float delta) {
+    Particles& p = s.particles;
+    const Vec3Arrays moved = p.drifted_position.view(), x = p.position.view(),
+                     corrected = p.corrected_position.view();
+    float *ratio = p.density_ratio.data(), *moved_ratio = p.excess.data();
+    const float* pressure = p.pressure.data();
+    const Errors errors = s.executor.reduce<Errors>("ease", p.count, [&](std::uint32_t i) {
+      moved_ratio[i] =
+          density_ratio(i, s.constants, density_kernel_, moved, s.neighbours, s.boundary);
+      if (s.is_held(i))
+        return Errors{};
+      const double before = std::max(ratio[i] - 1, -pressure[i] / delta),
+                   after = std::max(moved_ratio[i] - 1, -pressure[i] / delta);
+      return Errors{before * before, after * after, ratio[i] - 1, moved_ratio[i] - 1};
+    });
+    if (errors.after > errors.before ||
+        errors.largest_after > std::max(errors.largest_before, settings_.max_compression))
+      return;
+    s.executor.for_each("ease", p.count, [&](std::uint32_t i) {
+      x.set(i, moved[i]);
+      corrected.set(i, moved[i]);
+      ratio[i] = moved_ratio[i];
     });
   }
 

@@ -145,15 +145,16 @@ struct Simulation::Impl {
             .refusals = refusals,
             .kick = kick(dt),
             .excess = excess,
-            .rate = leftover.rate()};
+            .rate = leftover.rate(),
+            .kept = leftover.kept(),
+            .leftover = leftover.total()};
   }
 
   const float* allowed_leftover(double dt, int refusals) {
     if (!corrects_density())
       return nullptr;
     const Vec3<float> a = body_acceleration(settings.forces, time);
-    return leftover.allow(executor, particles, neighbourhood.grid(), dt, refusals,
-                          std::sqrt(dot(a, a)));
+    return leftover.allow(executor, particles, dt, refusals, std::sqrt(dot(a, a)));
   }
 
   /// One accepted step of at most dt; returns its length, s.
@@ -173,7 +174,8 @@ struct Simulation::Impl {
       if (!result.accepted)
         continue;
       statistics.contacts += integrate(context, result.pressure_factor, statistics);
-      note_leftover();
+      solver->ease(context);
+      note_leftover(particles.corrected_position);
       break;
     }
     time_step.accepted(dt);
@@ -268,16 +270,18 @@ struct Simulation::Impl {
     max_speed = largest_speed(executor, particles);
   }
 
-  void note_leftover() {
+  /// Of particles whose density ratios are those at `position`.
+  void note_leftover(VectorField& position) {
     if (corrects_density())
-      leftover.note(executor, particles, inflow.held());
+      leftover.note(executor, particles, position.view(), neighbourhood.boundary(), constants,
+                    inflow.held());
   }
 
   /// Measures particles as they are given, or where others have come close to them.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
-    note_leftover();
+    note_leftover(particles.drifted_position);
   }
 
   /// The liquid as it is now.
@@ -324,7 +328,7 @@ struct Simulation::Impl {
     }
     time = end;
     measure(statistics);
-    note_leftover();
+    note_leftover(particles.drifted_position);
     statistics.exchange = std::exchange(exchange, {});
     return statistics;
   }

@@ -25,6 +25,8 @@ struct StepContext {
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
   const float* excess;  ///< compression that a particle may keep in this step; not for basic SPH
   float rate;           ///< part of the tolerance that a step as short as this may add
+  float kept = 0;       ///< part of the wet samples' leftover compression that they may keep
+  double leftover = 0;  ///< Σ max(0, ρ/ρ₀ − 1) over the particles at the start of the step
   bool settling =
       false;          ///< the particles start far too dense; only what goes beyond `excess` counts
   float densest = 1;  ///< largest density ratio at the start of the step where that is far above 1
@@ -57,6 +59,9 @@ class PressureSolver {
  public:
   virtual ~PressureSolver() = default;
   virtual StepResult solve(const StepContext& step) = 0;
+  /// After an accepted step, when positions are the corrected ones: moves them, and them alone, to
+  /// take away some of what the step has left over. Leaves the density ratios there.
+  virtual void ease(const StepContext&) {}
   /// Largest stable time step of the solver itself, s.
   virtual float time_step_limit() const = 0;
   /// Of the fields that the solver keeps.
