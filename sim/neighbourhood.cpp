@@ -44,8 +44,9 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
     for (int c = 0; c < 3; ++c)
       permute(field->component(c));
   permute(particles.pressure);
-  if (!particles.compression.empty())
-    permute(particles.compression);
+  for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
+    if (!field->empty())
+      permute(*field);
   grid_.permute(particles.ids);
 }
 

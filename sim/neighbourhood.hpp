@@ -27,6 +27,7 @@ class Neighbourhood {
             .pressure = boundary_.pressures().data(),
             .step_pressure = boundary_.step_pressures().data(),
             .compression = boundary_.compressions().data(),
+            .mean_pressure = boundary_.mean_pressures().data(),
             .neighbours = boundary_lists_.view(),
             .fluid = wet_lists_.view(),
             .wet = wet_.data(),

@@ -55,6 +55,8 @@ struct Simulation::Impl {
   std::unique_ptr<PressureSolver> solver;
   TimeStepControl time_step;
   double time = 0;
+  double frame_end = 0;    ///< s
+  double summed_time = 0;  ///< over which Particles::mean_pressure sums, s
   float max_speed = 0;
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
@@ -157,6 +159,9 @@ struct Simulation::Impl {
     return leftover.allow(executor, particles, dt, refusals, std::sqrt(dot(a, a)));
   }
 
+  /// What is no time at all near the given one, s.
+  static double tiny(double end) { return 1e-9 * std::max(1.0, std::abs(end)); }
+
   /// One accepted step of at most dt; returns its length, s.
   double step(double dt, FrameStatistics& statistics) {
     for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
@@ -176,6 +181,9 @@ struct Simulation::Impl {
       statistics.contacts += integrate(context, result.pressure_factor, statistics);
       solver->ease(context);
       note_leftover(particles.corrected_position);
+      summed_time += context.kick;
+      if (frame_end - (time + dt) <= tiny(frame_end))
+        measure_pressure(context, settings.solver.pressure_kernel, summed_time);
       break;
     }
     time_step.accepted(dt);
@@ -228,7 +236,8 @@ struct Simulation::Impl {
                      drifted_v = particles.drifted_velocity.view(),
                      corrected = particles.corrected_position.view(),
                      a = particles.acceleration.view();
-    float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data();
+    float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data(),
+          *sum = particles.mean_pressure.data();
     const float dt = s.time_step;
     const ContactView contact = s.contact;
     const Moved motion =
@@ -241,6 +250,7 @@ struct Simulation::Impl {
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * new_pressure[i];
+          sum[i] += s.kick * pressure[i];
           return Moved{dot(velocity, velocity), dot(push, push) > 0,
                        double{pressure[i]} * pressure[i],
                        wall_impulse(contact, corrected[i], push, dt)};
@@ -252,8 +262,11 @@ struct Simulation::Impl {
           double{constants.rest_density} * constants.volume *
               (motion.wall_impulse + drift_impulse) +
           wall_work(executor, constants, settings.solver.pressure_kernel, particles, solid, dt);
-    for (std::uint32_t k = 0; k < solid.wet_count; ++k)
-      solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
+    for (std::uint32_t k = 0; k < solid.wet_count; ++k) {
+      const std::uint32_t b = solid.wet[k];
+      solid.pressure[b] = pressure_factor * solid.step_pressure[b];
+      solid.mean_pressure[b] += s.kick * solid.pressure[b];
+    }
     max_speed = std::sqrt(motion.squared_speed);
     return motion.contacts + drift_contacts;
   }
@@ -308,8 +321,14 @@ struct Simulation::Impl {
              walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
     }
-    const double tiny = 1e-9 * std::max(1.0, std::abs(end));
-    while (end - time > tiny) {
+    frame_end = end;
+    if (end - time > tiny(end)) {
+      particles.mean_pressure.resize(particles.count);
+      particles.mean_pressure.fill(0);
+      walls.boundary().mean_pressures().fill(0);
+      summed_time = 0;
+    }
+    while (end - time > tiny(end)) {
       if (stop != nullptr && *stop)
         return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
@@ -318,7 +337,7 @@ struct Simulation::Impl {
           time_step.next(goal - time, fastest(goal), std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
-      if (end - time <= tiny)
+      if (end - time <= tiny(end))
         time = end;
       exchange_particles();
       statistics.min_time_step =
