@@ -1,0 +1,83 @@
+// Structural similarity. Symbols and constants are those of Wang et al. (2004), section III.
+
+#include <cmath>
+
+#include "render/compare/filter.hpp"
+#include "render/compare/metrics.hpp"
+#include "render/compare/same_size.hpp"
+
+namespace spindrift::compare {
+namespace {
+
+constexpr int radius = 5;  // of windows, pixels
+
+Taps gaussian() {
+  Taps taps;
+  float sum = 0;
+  for (int k = -radius; k <= radius; ++k)
+    sum += taps.emplace_back(std::exp(-static_cast<float>(k * k) / (2.f * 1.5f * 1.5f)));
+  for (float& tap : taps)
+    tap /= sum;
+  return taps;
+}
+
+/// BT.601 luma of a pixel, 0 ... 1.
+float luma(const std::uint8_t* pixel) {
+  return (0.299f * pixel[0] + 0.587f * pixel[1] + 0.114f * pixel[2]) / 255.f;
+}
+
+}  // namespace
+
+double ssim(const Image& a, const Image& b) {
+  require_same_size(a, b);
+  static const Taps taps = gaussian();
+  constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
+  const int w = a.width, h = a.height;
+  Plane x(w, h), y(w, h), squares(w, h), products(w, h);
+#pragma omp parallel for schedule(static)
+  for (int j = 0; j < h; ++j) {
+    float *const px = x.row(j), *const py = y.row(j), *const s = squares.row(j),
+                 *const p = products.row(j);
+    for (int i = 0; i < w; ++i) {
+      const std::size_t at = (std::size_t(j) * w + i) * 3;
+      px[i] = luma(&a.pixels[at]);
+      py[i] = luma(&b.pixels[at]);
+      s[i] = px[i] * px[i] + py[i] * py[i];
+      p[i] = px[i] * py[i];
+    }
+  }
+
+  // Windows that lie wholly in the picture; of a small picture, those in its middle.
+  const int left = std::min(radius, (w - 1) / 2), top = std::min(radius, (h - 1) / 2);
+  std::vector<double> row_sums(std::size_t(h), 0.);
+#pragma omp parallel
+  {
+    RowFilter row(w);
+    const auto length = static_cast<std::size_t>(x.stride());
+    std::vector<float> mean_x(length), mean_y(length), mean_squares(length), mean_products(length);
+#pragma omp for schedule(static)
+    for (int j = top; j < h - top; ++j) {
+      const auto filter = [&](const Plane& plane, std::vector<float>& out) {
+        row.set(plane, j, taps);
+        row.filter(taps, out.data());
+      };
+      filter(x, mean_x);
+      filter(y, mean_y);
+      filter(squares, mean_squares);
+      filter(products, mean_products);
+      for (std::size_t i = std::size_t(left); i < std::size_t(w - left); ++i) {
+        const float of_means = mean_x[i] * mean_x[i] + mean_y[i] * mean_y[i];
+        const float product = mean_x[i] * mean_y[i];
+        row_sums[std::size_t(j)] += (2.f * product + c1) *
+                                    (2.f * (mean_products[i] - product) + c2) /
+                                    ((of_means + c1) * (mean_squares[i] - of_means + c2));
+      }
+    }
+  }
+  double sum = 0;
+  for (const double row : row_sums)
+    sum += row;
+  return sum / (double(w - 2 * left) * (h - 2 * top));
+}
+
+}  // namespace spindrift::compare
