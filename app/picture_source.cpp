@@ -32,7 +32,9 @@ std::vector<std::string> png_names(const fs::path& folder) {
   return names;
 }
 
-/// A file that can't be read is bad input.
+constexpr const char* as_video = "; it is not a PNG either";
+
+/// A file that can't be read is bad input. @param hint to put after the reason
 template <class Read>
 auto reading(const Read& read, const char* hint = "") {
   try {
@@ -53,15 +55,14 @@ PictureSource::PictureSource(fs::path path) : path_(std::move(path)) {
     if (names_.empty())
       throw InputError(fmt::format("{}: there are no PNG files in this folder", folder_.string()));
   } else if (!is_png(path_)) {
-    video_ = reading([&] { return std::make_unique<output::VideoReader>(path_); },
-                     "; it is not a PNG either");
+    video_ = reading([&] { return std::make_unique<output::VideoReader>(path_); }, as_video);
   }
 }
 
 std::optional<Picture> PictureSource::next() {
   const std::size_t k = taken_++;
   if (video_) {
-    std::optional<Image> image = reading([&] { return video_->next(); });
+    std::optional<Image> image = reading([&] { return video_->next(); }, as_video);
     if (!image)
       return std::nullopt;
     return Picture{fmt::format("{:04}", k), std::move(*image)};
