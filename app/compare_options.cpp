@@ -1,5 +1,8 @@
 #include "app/compare_options.hpp"
 
+#include <map>
+#include <string>
+
 namespace spindrift::app {
 
 void add_compare_options(CLI::App& command, CompareOptions& options) {
@@ -33,6 +36,33 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  command.add_flag("--json", options.json, "Print for machines");
+}
+
+void add_golden_options(CLI::App& command, GoldenOptions& options) {
+  const std::map<std::string, GoldenAction> actions{{"check", GoldenAction::check},
+                                                    {"update", GoldenAction::update}};
+  command
+      .add_option("action", options.action, "check: compare with the references; update: make them")
+      ->required()
+      ->type_name("check|update")
+      ->transform(CLI::Transformer(actions).description(""));
+  command.add_option("list", options.list, "List of golden tests")->required()->type_name("FILE");
+  command.add_option("-o,--out", options.output, "Folder for the results and the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_option("--only", options.only, "Only the golden tests of these names")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  command
+      .add_option("--set", options.overrides,
+                  "Set a value of every scene, to see whether the change is noticed")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print for machines");
 }
