@@ -1,6 +1,5 @@
 #include "app/compare_options.hpp"
 
-#include <map>
 #include <string>
 
 namespace spindrift::app {
@@ -41,13 +40,16 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
 }
 
 void add_golden_options(CLI::App& command, GoldenOptions& options) {
-  const std::map<std::string, GoldenAction> actions{{"check", GoldenAction::check},
-                                                    {"update", GoldenAction::update}};
   command
-      .add_option("action", options.action, "check: compare with the references; update: make them")
+      .add_option_function<std::string>(
+          "action",
+          [&](const std::string& action) {
+            options.action = action == "update" ? GoldenAction::update : GoldenAction::check;
+          },
+          "Compare with the references, or make them")
       ->required()
-      ->type_name("check|update")
-      ->transform(CLI::Transformer(actions).description(""));
+      ->type_name("ACTION")
+      ->check(CLI::IsMember({"check", "update"}));
   command.add_option("list", options.list, "List of golden tests")->required()->type_name("FILE");
   command.add_option("-o,--out", options.output, "Folder for the results and the report")
       ->type_name("DIR")
