@@ -42,6 +42,7 @@ struct ComparedPair {
 struct ComparisonReport {
   std::string title = {};      ///< of the report
   std::string a = {}, b = {};  ///< what was compared, as given
+  bool frames = false;         ///< the pairs are in the order of time
   int threshold = compare::default_threshold;
   std::vector<ComparedPair> pairs = {};
   compare::Tally all = {};
