@@ -55,7 +55,7 @@ struct ComparisonReport {
 
 nlohmann::ordered_json comparison_json(const ComparisonReport& comparison);
 
-/// A table for people: a line for all pairs together and one for the worst; then the notes.
+/// A table for people: a line for all pairs together and one for the worst, and the notes.
 std::string comparison_text(const ComparisonReport& comparison);
 
 /// A line for each of the first few pairs beyond their limits; empty where none is.
