@@ -120,7 +120,7 @@ int run_compare(const CompareOptions& options) {
   else if (!options.quiet)
     fmt::print("{}{}\n", comparison_text(comparison), (options.output / "compare.html").string());
   fmt::print(stderr, "{}", broken_text(comparison));
-  return comparison.broken_pairs() == 0 ? done : check_failed;
+  return comparison.passes() ? done : check_failed;
 }
 
 }  // namespace spindrift::app

@@ -61,13 +61,11 @@ class GoldenRun {
   }
 
   int finish() {
-    if (!report_.pairs.empty())
+    if (options_.action == GoldenAction::check) {
       write_comparison(report_, options_.output, "golden");
-    if (options_.action == GoldenAction::check)
       print();
-    return not_rendered_                                          ? run_failed
-           : report_.broken_pairs() > 0 || !report_.notes.empty() ? check_failed
-                                                                  : done;
+    }
+    return not_rendered_ ? run_failed : report_.passes() ? done : check_failed;
   }
 
  private:
@@ -127,7 +125,7 @@ class GoldenRun {
   }
 
   void unusable(const fs::path& file, const std::string& reason) {
-    report_.notes.push_back(
+    report_.not_compared.push_back(
         fmt::format("{}: {}; `spindrift golden update {}` makes it from the result, which is in {}",
                     file.string(), reason, options_.list.string(), options_.output.string()));
   }
@@ -139,13 +137,11 @@ class GoldenRun {
 
   void print() const {
     const std::string page = (options_.output / "golden.html").string();
-    if (options_.json && !report_.pairs.empty())
+    if (options_.json)
       fmt::print("{}\n", comparison_json(report_).dump(1));
-    else if (!options_.quiet && !report_.pairs.empty())
+    else if (!options_.quiet)
       fmt::print("{}{}\n", comparison_text(report_), page);
     fmt::print(stderr, "{}", broken_text(report_));
-    for (const std::string& note : report_.notes)
-      fmt::print(stderr, "spindrift: {}\n", note);
     if (report_.broken_pairs() > 0)
       fmt::print(stderr, "spindrift: the pictures and their differences are in {}\n", page);
   }

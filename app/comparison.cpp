@@ -23,6 +23,24 @@ nlohmann::ordered_json metrics_json(const Metrics& m) {
   return {{"psnr", m.psnr}, {"ssim", m.ssim}, {"flip", flip}, {"changed", m.changed}};
 }
 
+std::string table_text(const ComparisonReport& comparison) {
+  const std::size_t count = comparison.pairs.size();
+  const ComparedPair& worst = comparison.worst();
+  const std::string all = fmt::format("all {} pairs", count);
+  const std::size_t width = std::max(all.size(), worst.name.size());
+  std::string text = fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9}\n", "", width,
+                                 "FLIP", "95 %", "99 %", "largest", "SSIM", "PSNR, dB", "changed");
+  const auto add = [&](const std::string& name, const Metrics& m) {
+    text += fmt::format("{:<{}} {:>8.5f} {:>8.4f} {:>8.4f} {:>8.4f} {:>8.5f} {:>9.2f} {:>7.3f} %\n",
+                        name, width, m.flip.mean, m.flip.percentiles[3], m.flip.percentiles[4],
+                        m.flip.max, m.ssim, m.psnr, 100 * m.changed);
+  };
+  if (count > 1)
+    add(all, comparison.all.metrics());
+  add(worst.name, worst.metrics);
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> broken_limits(const Metrics& metrics, const Limits& limits) {
@@ -62,27 +80,18 @@ nlohmann::ordered_json comparison_json(const ComparisonReport& comparison) {
           {"b", comparison.b},
           {"versions", versions_json()},
           {"threshold", comparison.threshold},
-          {"within_limits", comparison.broken_pairs() == 0},
-          {"overall", metrics_json(comparison.all.metrics())},
+          {"within_limits", comparison.passes()},
+          {"overall", comparison.pairs.empty() ? nlohmann::ordered_json()
+                                               : metrics_json(comparison.all.metrics())},
+          {"not_compared", comparison.not_compared},
           {"notes", comparison.notes},
           {"pairs", pairs}};
 }
 
 std::string comparison_text(const ComparisonReport& comparison) {
-  const std::size_t count = comparison.pairs.size();
-  const ComparedPair& worst = comparison.worst();
-  const std::string all = fmt::format("all {} pairs", count);
-  const std::size_t width = std::max(all.size(), worst.name.size());
-  std::string text = fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9}\n", "", width,
-                                 "FLIP", "95 %", "99 %", "largest", "SSIM", "PSNR, dB", "changed");
-  const auto add = [&](const std::string& name, const Metrics& m) {
-    text += fmt::format("{:<{}} {:>8.5f} {:>8.4f} {:>8.4f} {:>8.4f} {:>8.5f} {:>9.2f} {:>7.3f} %\n",
-                        name, width, m.flip.mean, m.flip.percentiles[3], m.flip.percentiles[4],
-                        m.flip.max, m.ssim, m.psnr, 100 * m.changed);
-  };
-  if (count > 1)
-    add(all, comparison.all.metrics());
-  add(worst.name, worst.metrics);
+  std::string text;
+  if (!comparison.pairs.empty())
+    text = table_text(comparison);
   for (const std::string& note : comparison.notes)
     text += note + "\n";
   return text;
@@ -91,6 +100,8 @@ std::string comparison_text(const ComparisonReport& comparison) {
 std::string broken_text(const ComparisonReport& comparison) {
   constexpr std::size_t most_shown = 10;
   std::string text;
+  for (const std::string& sentence : comparison.not_compared)
+    text += fmt::format("spindrift: {}\n", sentence);
   std::size_t shown = 0;
   for (const ComparedPair& pair : comparison.pairs)
     if (!pair.broken.empty() && shown++ < most_shown)

@@ -46,9 +46,12 @@ struct ComparisonReport {
   int threshold = compare::default_threshold;
   std::vector<ComparedPair> pairs = {};
   compare::Tally all = {};
-  std::vector<std::string> notes = {};  ///< for people to know
+  std::vector<std::string> not_compared = {};  ///< pairs that could not be, each as a sentence
+  std::vector<std::string> notes = {};         ///< for people to know
 
   std::size_t broken_pairs() const;
+  /// All pairs were compared and are within their limits.
+  bool passes() const { return broken_pairs() == 0 && not_compared.empty(); }
   /// By the mean of FLIP.
   const ComparedPair& worst() const;
 };
@@ -58,7 +61,8 @@ nlohmann::ordered_json comparison_json(const ComparisonReport& comparison);
 /// A table for people: a line for all pairs together and one for the worst, and the notes.
 std::string comparison_text(const ComparisonReport& comparison);
 
-/// A line for each of the first few pairs beyond their limits; empty where none is.
+/// Why it does not pass: a line for each pair that was not compared, and for each of the first few
+/// beyond their limits.
 std::string broken_text(const ComparisonReport& comparison);
 
 /// The whole page: it needs no other file. @param draw makes an <svg> element of a plot, or what is

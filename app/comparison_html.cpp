@@ -129,6 +129,8 @@ std::string comparison_html(const ComparisonReport& comparison,
   html += broken == 0 ? fmt::format("<p>{} pairs, none beyond a limit.</p>\n", count)
                       : fmt::format("<p class=\"beyond\">{} of {} pairs beyond a limit.</p>\n",
                                     broken, count);
+  for (const std::string& sentence : comparison.not_compared)
+    html += fmt::format("<p class=\"beyond\">{}</p>\n", html_escaped(sentence));
   for (const std::string& note : comparison.notes)
     html += fmt::format("<p>{}</p>\n", html_escaped(note));
   if (comparison.frames && count > 1)
@@ -137,7 +139,9 @@ std::string comparison_html(const ComparisonReport& comparison,
   for (const ComparedPair& pair : comparison.pairs)
     if (pair.shown)
       html += pair_html(comparison, pair);
-  return html + table_html(comparison) + blink + html_end;
+  if (count > 0)
+    html += table_html(comparison);
+  return html + blink + html_end;
 }
 
 }  // namespace spindrift::app

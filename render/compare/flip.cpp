@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>
+#include <numeric>
 
 #include "render/compare/filter.hpp"
 #include "render/compare/metrics.hpp"
@@ -77,10 +78,12 @@ Taps<float> taps_of(int radius, const Weight& weight) {
   return taps;
 }
 
+float sum_of(const Taps<float>& taps) {
+  return std::accumulate(taps.begin(), taps.end(), 0.f);
+}
+
 Taps<float> scaled_to_one(Taps<float> taps) {
-  float sum = 0;
-  for (const float tap : taps)
-    sum += tap;
+  const float sum = sum_of(taps);
   for (float& tap : taps)
     tap /= sum;
   return taps;
@@ -91,10 +94,10 @@ Taps<float> sensitivity(float b) {
   // 3 standard deviations of the widest.
   const int radius =
       static_cast<int>(std::ceil(3.f * std::sqrt(0.04f / (2.f * pi * pi)) * pixels_per_degree));
-  return scaled_to_one(taps_of(radius, [&](float k) {
+  return taps_of(radius, [&](float k) {
     const float degrees = k / pixels_per_degree;
     return std::exp(-pi * pi * degrees * degrees / b);
-  }));
+  });
 }
 
 /// Positive weights add up to 1, negative ones to -1.
@@ -109,20 +112,17 @@ Taps<float> scaled_by_sign(Taps<float> taps) {
 
 /// What the eye lets through, and what finds edges and points.
 struct Filters {
-  Taps<float> achromatic = sensitivity(0.0047f);
-  Taps<float> red_green = sensitivity(0.0053f);
-  Taps<float> blue_yellow = sensitivity(0.04f), blue_yellow_narrow = sensitivity(0.025f);
-  float narrow_share;  ///< of blue_yellow_narrow in the sum
+  Taps<float> achromatic = scaled_to_one(sensitivity(0.0047f));
+  Taps<float> red_green = scaled_to_one(sensitivity(0.0053f));
+  Taps<float> blue_yellow = scaled_to_one(sensitivity(0.04f));
+  Taps<float> blue_yellow_narrow = scaled_to_one(sensitivity(0.025f));
+  float narrow_share;  ///< of blue_yellow_narrow in the sum of both
   Taps<float> smooth, edge, point;
 
   Filters() {
-    // The sum of a sqrt(pi/b) exp(-pi² d² / b) in two dimensions weighs each Gaussian by the square
-    // of its one-dimensional sum.
+    // In two dimensions a sqrt(pi/b) exp(-pi² d² / b) adds up to this.
     const auto volume = [](float a, float b) {
-      float sum = 0;
-      for (int k = -10; k <= 10; ++k)
-        sum += std::exp(-pi * pi * static_cast<float>(k * k) /
-                        (pixels_per_degree * pixels_per_degree * b));
+      const float sum = sum_of(sensitivity(b));
       return a * std::sqrt(pi / b) * sum * sum;
     };
     const float wide = volume(34.1f, 0.04f), narrow = volume(13.5f, 0.025f);
@@ -166,7 +166,7 @@ struct Opponent {
 /// One row of a picture as the eye sees it: colours in CIELAB, and how strong edges and points are.
 class SeenRow {
  public:
-  SeenRow(const Filters& filters, int width) : filters_(filters), width_(width), row_(width) {
+  SeenRow(const Filters& filters, int width) : filters_(filters), row_(width) {
     for (std::vector<float>* values :
          {&y_, &x_y_, &y_z_, &narrow_, &across_, &along_, &edge_, &point_})
       values->resize(static_cast<std::size_t>(padded_width(width)));
@@ -212,7 +212,6 @@ class SeenRow {
   }
 
   const Filters& filters_;
-  int width_;
   RowFilter<float> row_;
   std::vector<float> y_, x_y_, y_z_, narrow_, across_, along_, edge_, point_;
   std::vector<glm::vec3> lab_;

@@ -45,6 +45,7 @@ JSON
 # Without references nothing passes; update makes them, and leaves those that are right.
 expect 1 "references/start/0001.png: there is no such reference; \`spindrift golden update list.json\` makes it" \
   check list.json
+expect 1 '"within_limits": false' check list.json --only start --json
 expect 0 "new        references/honey/0012.png" update list.json
 touch -d "2001-01-01" references/start/0000.png
 printf 'no picture' >references/start/0001.png
