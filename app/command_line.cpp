@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/compare_options.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_fields.hpp"
 
@@ -295,6 +296,14 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   CLI::App* bench_run = app.add_subcommand("bench-run", "One run of bench, told on stdin");
   bench_run->group("");  // for bench itself
 
+  CLI::App* compare = app.add_subcommand("compare", "Compare pictures, videos or runs");
+  CompareOptions compare_options;
+  add_compare_options(*compare, compare_options);
+
+  CLI::App* golden = app.add_subcommand("golden", "Hold scenes against pictures kept from before");
+  GoldenOptions golden_options;
+  add_golden_options(*golden, golden_options);
+
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
@@ -317,6 +326,12 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   }
   if (bench_run->parsed()) {
     return run_bench_child();
+  }
+  if (compare->parsed()) {
+    return run_compare(compare_options);
+  }
+  if (golden->parsed()) {
+    return run_golden(golden_options);
   }
   if (info->parsed()) {
     return run_info(typed.json);
@@ -344,6 +359,8 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const UsageError& error) {
     return report(bad_usage, std::string(error.what()) + " (see spindrift --help)");
   } catch (const SceneError& error) {
+    return report(bad_usage, error.what());
+  } catch (const InputError& error) {
     return report(bad_usage, error.what());
   } catch (const std::bad_alloc&) {
     return report(run_failed, "out of memory");

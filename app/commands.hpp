@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "app/bench_runs.hpp"
+#include "app/comparison.hpp"
 #include "app/scene.hpp"
 
 namespace spindrift::app {
@@ -16,6 +18,13 @@ enum ExitCode {
   check_failed = 1,
   bad_usage = 2,  ///< or bad input
   run_failed = 3,
+};
+
+/// Input that can't be used, other than a scene. The message is one sentence for people: the file,
+/// what was found and what is accepted.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Frame numbers from 0, both ends included.
@@ -45,6 +54,28 @@ struct BenchOptions {
   bool json = false;             ///< for machines
 };
 
+struct CompareOptions {
+  std::filesystem::path a, b;
+  std::filesystem::path output = "out/compare";  ///< folder of the report and the differences
+  Limits limits;                                 ///< of every pair
+  int threshold = compare::default_threshold;    ///< of 255; more is a change
+  int shown_pairs = 4;                           ///< in the report
+  bool quiet = false;                            ///< nothing but errors
+  bool json = false;                             ///< for machines
+};
+
+enum class GoldenAction { check, update };
+
+struct GoldenOptions {
+  GoldenAction action = GoldenAction::check;
+  std::filesystem::path list;                   ///< file
+  std::filesystem::path output = "out/golden";  ///< folder of what was rendered, and of the report
+  std::vector<std::string> only;                ///< names; empty: all
+  Overrides overrides;                          ///< of every scene
+  bool quiet = false;                           ///< nothing but errors
+  bool json = false;                            ///< for machines
+};
+
 int run_render(const Scene& scene, const RenderOptions& options);
 
 /// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
@@ -53,6 +84,15 @@ int run_bench(const BenchOptions& options);
 /// One run of a benchmark, in a process of its own: from JSON on the standard input to JSON on the
 /// standard output.
 int run_bench_child();
+
+/// Compares pictures, folders, videos or runs; leaves compare.html, compare.json and the
+/// differences. Fails where a pair is beyond a limit. @throws InputError
+int run_compare(const CompareOptions& options);
+
+/// Renders the scenes of a list and holds their frames against the pictures kept (check), or keeps
+/// them (update). Fails where one is beyond its tolerance or has no picture. @throws SceneError,
+/// InputError
+int run_golden(const GoldenOptions& options);
 
 /// Prints the scene with all defaults filled in, and what it will cost.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);
