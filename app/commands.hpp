@@ -7,6 +7,7 @@
 
 #include "app/bench_runs.hpp"
 #include "app/scene.hpp"
+#include "app/sweep_plan.hpp"
 
 namespace spindrift::app {
 
@@ -45,6 +46,15 @@ struct BenchOptions {
   bool json = false;             ///< for machines
 };
 
+struct SweepOptions {
+  std::filesystem::path output;   ///< folder of all results
+  int threads = 1;                ///< of all runs together
+  int jobs = 0;                   ///< runs at once, at most; 0: as many as there are threads
+  bool quiet = false;             ///< nothing but errors
+  bool json = false;              ///< for machines
+  std::string command_line_hint;  ///< the command as typed, to say how to go on
+};
+
 int run_render(const Scene& scene, const RenderOptions& options);
 
 /// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
@@ -54,13 +64,19 @@ int run_bench(const BenchOptions& options);
 /// standard output.
 int run_bench_child();
 
+/// Runs what of a sweep is not done yet, and leaves a report of all of it.
+int run_sweep(const SweepRequest& request, const SweepOptions& options);
+
+/// One task of a sweep, in a process of its own: told by JSON on the standard input.
+int run_sweep_job();
+
 /// Prints the scene with all defaults filled in, and what it will cost.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);
 
 /// Prints versions, processor, renderer and encoder.
 int run_info(bool json);
 
-/// Prints the JSON schema of scene files.
-int run_schema();
+/// Prints the JSON schema of scene files, or of sweep files.
+int run_schema(bool of_sweeps);
 
 }  // namespace spindrift::app
