@@ -29,5 +29,5 @@ if (complete.length > 0) {
   make_compare();
   make_pictures();
   choose(complete.find((run) => run.name === data.reference) ?? complete[0]);
-  set_time(data.times[Math.floor(data.times.length / 2)]);
+  set_time(first_time);
 }

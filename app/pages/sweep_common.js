@@ -84,6 +84,13 @@ function name_of(run) {
   return name;
 }
 
+/** What the colours mean. */
+function make_legend() {
+  return color_values.slice(0, palette.length).map((value, i) =>
+    element("span", {class: "legend"}, element("span", {class: "dot", style: `background:${palette[i]}`}),
+      `${key_title(data.keys[0])} ${value_text(JSON.parse(value ?? "null"))}`));
+}
+
 function mark_chosen(elements) {
   for (const [run, node] of elements) {
     node.classList.toggle("chosen", run === state.chosen);

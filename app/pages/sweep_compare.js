@@ -15,6 +15,7 @@ function show_pair() {
     by_id(side).value = run.name;
     by_id(`name-${side}`).replaceChildren(name_of(run));
     const video = by_id(`video-${side}`);
+    video.poster = frame_file(run, frame_at(run, state.time || first_time));
     add_video(video, run);
     if (video.hasAttribute("src")) video.src = run_file(run, "video.mp4");
   }

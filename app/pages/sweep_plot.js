@@ -121,6 +121,7 @@ function make_plot() {
   fill_select(by_id("plot-x"), options, "simulation_seconds");
   fill_select(by_id("plot-y"), options, "mean_compression");
   for (const id of ["plot-x", "plot-y"]) by_id(id).addEventListener("change", draw_plot);
+  by_id("plot-legend").replaceChildren(...make_legend());
   on_choice(draw_plot);
   draw_plot();
 }
@@ -180,10 +181,7 @@ function make_probes() {
     complete.some((run) => run.curves?.[name]));
   if (names.length === 0) return;
   by_id("probes-section").hidden = false;
-  const key = key_title(data.keys[0]);
-  by_id("probes-note").replaceChildren(...color_values.slice(0, palette.length).map((value, i) =>
-    element("span", {class: "name", style: "display:inline-flex;padding:0 14px 0 0"},
-      element("span", {class: "dot", style: `background:${palette[i]}`}), `${key} ${value_text(JSON.parse(value))}`)));
+  by_id("probes-note").replaceChildren(...make_legend());
   fill_select(by_id("probe"), names.map((name) => [name, title_of(name)]));
   by_id("probe").addEventListener("change", draw_probes);
   on_choice(() => draw_probes.mark());

@@ -46,8 +46,8 @@ function draw_table() {
   for (const column of columns)
     head.append(element("th", {scope: "col", "data-column": column.name,
       "aria-sort": column === sorted_by ? (sorting.descending ? "descending" : "ascending") : "none"},
-      element("button", {type: "button", click: () => sort_by(column)}, column.title,
-        element("small", {}, column.unit || " "))));
+      element("button", {type: "button", click: () => sort_by(column)}, 
+        element("span", {}, column.title), element("small", {}, column.unit || "\u00a0"))));
   const rows = [];
   for (const run of order) {
     const row = element("tr", {"data-run": run.name, class: run.failure ? "failed" : "", title: run.failure || run.name,

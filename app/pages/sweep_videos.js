@@ -1,5 +1,7 @@
 // All videos on one clock. A video is loaded when it comes into view, and let go when it leaves.
 const player = {playing: false, rate: 1, duration: Math.max(0.1, ...complete.map(duration_of)), videos: new Map()};
+/** What the page shows at first, the middle of the times that are set side by side. */
+const first_time = data.times[Math.floor(data.times.length / 2)];
 const finest_rate = Math.max(1, ...complete.map((run) => run.frames_per_second));
 
 /** Puts a video of a run on the clock; it may be given another run later. */
@@ -69,7 +71,7 @@ function make_videos() {
   for (const run of runs) {
     const screen = element("span", {class: "screen", style: `aspect-ratio:${run.width}/${run.height}`});
     if (run.complete) {
-      const video = element("video", {playsinline: "", preload: "auto"});
+      const video = element("video", {playsinline: "", preload: "auto", poster: frame_file(run, frame_at(run, first_time))});
       video.muted = true;
       screen.append(video);
       add_video(video, run);
