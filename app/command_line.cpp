@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/compare_options.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_fields.hpp"
-#include "app/sweep_file.hpp"
+#include "app/sweep_options.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -42,12 +43,7 @@ struct Typed {
   bool quick = false;
   bool plane = false, scaling = false, threads_scaling = false;
 
-  // sweep
-  std::string reference;
-  std::vector<std::string> targets;
-  std::vector<double> times;
-  int jobs = 0;
-  bool of_sweeps = false;
+  bool of_sweeps = false;  // schema
 };
 
 /// Misuse of the command line; the message is for people.
@@ -126,34 +122,6 @@ void add_bench_options(CLI::App& command, Typed& typed) {
       ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6))
       ->capture_default_str();
-}
-
-void add_sweep_options(CLI::App& command, Typed& typed) {
-  command.add_option("scene", typed.scene, "Scene file or sweep file")
-      ->required()
-      ->type_name("FILE");
-  add_common_options(command, typed);
-  command.get_option("--set")
-      ->description("Values of one of the scene's keys; every combination runs")
-      ->type_name("KEY=VALUE,VALUE,...");
-  command
-      .add_option("-o,--out", typed.output, "Folder for the results; out/<file>_sweep if left out")
-      ->type_name("DIR");
-  command.add_option("--jobs", typed.jobs, "Runs at once, at most; as many as threads if left out")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-  command
-      .add_option("--reference", typed.reference,
-                  "Run that all are compared with: its name, or values that it alone has")
-      ->type_name("RUN");
-  command
-      .add_option("--target", typed.targets,
-                  "Rank runs by how close this figure of theirs comes to the number")
-      ->type_name("METRIC=NUMBER")
-      ->expected(1)
-      ->take_all();
-  add_list(command, "--times", typed.times, "When pictures are set side by side (s)")
-      ->type_name("SECONDS,...");
 }
 
 int parse_frame_number(const std::string& text, int if_empty) {
@@ -268,33 +236,6 @@ int run_typed_bench(const Typed& typed) {
   return run_bench(options);
 }
 
-int run_typed_sweep(const Typed& typed, const std::string& hint) {
-  SweepRequest request = read_sweep_file(typed.scene).value_or(SweepRequest{.scene = typed.scene});
-  for (const std::string& assignment : typed.overrides) {
-    request.axes.push_back(parse_sweep_axis(assignment));
-  }
-  if (!typed.reference.empty()) {
-    request.reference = typed.reference;
-  }
-  for (const std::string& target : typed.targets) {
-    request.targets.push_back(parse_sweep_target(target));
-  }
-  if (!typed.times.empty()) {
-    request.times = typed.times;
-  }
-  SweepOptions options;
-  options.output = typed.output.empty()
-                       ? std::filesystem::path("out") /
-                             (std::filesystem::path(typed.scene).stem().string() + "_sweep")
-                       : std::filesystem::path(typed.output);
-  options.threads = typed.threads;
-  options.jobs = typed.jobs;
-  options.quiet = typed.quiet;
-  options.json = typed.json;
-  options.command_line_hint = hint;
-  return run_sweep(request, options);
-}
-
 /// The parser's complaint with the nearest valid name, where a name was mistyped.
 std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
   const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error);
@@ -360,9 +301,14 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
 
   CLI::App* sweep =
       app.add_subcommand("sweep", "Run a scene with many values, and compare the runs");
-  add_sweep_options(*sweep, typed);
+  TypedSweep typed_sweep;
+  add_sweep_options(*sweep, typed_sweep);
   CLI::App* sweep_job = app.add_subcommand("sweep-job", "One task of sweep, told on stdin");
   sweep_job->group("");  // for sweep itself
+
+  CLI::App* compare = app.add_subcommand("compare", "Compare pictures, videos or runs");
+  CompareOptions compare_options;
+  add_compare_options(*compare, compare_options);
 
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
@@ -389,10 +335,13 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
     return run_bench_child();
   }
   if (sweep->parsed()) {
-    return run_typed_sweep(typed, command_as_typed(argc, argv));
+    return run_typed_sweep(typed_sweep, command_as_typed(argc, argv));
   }
   if (sweep_job->parsed()) {
     return run_sweep_job();
+  }
+  if (compare->parsed()) {
+    return run_compare(compare_options);
   }
   if (info->parsed()) {
     return run_info(typed.json);
@@ -420,6 +369,8 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const UsageError& error) {
     return report(bad_usage, std::string(error.what()) + " (see spindrift --help)");
   } catch (const SceneError& error) {
+    return report(bad_usage, error.what());
+  } catch (const InputError& error) {
     return report(bad_usage, error.what());
   } catch (const std::bad_alloc&) {
     return report(run_failed, "out of memory");

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "app/bench_runs.hpp"
+#include "app/comparison.hpp"
 #include "app/scene.hpp"
 #include "app/sweep_plan.hpp"
 
@@ -17,6 +19,13 @@ enum ExitCode {
   check_failed = 1,
   bad_usage = 2,  ///< or bad input
   run_failed = 3,
+};
+
+/// Input that can't be used, other than a scene. The message is one sentence for people: the file,
+/// what was found and what is accepted.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Frame numbers from 0, both ends included.
@@ -55,6 +64,16 @@ struct SweepOptions {
   std::string command_line_hint;  ///< the command as typed, to say how to go on
 };
 
+struct CompareOptions {
+  std::filesystem::path a, b;
+  std::filesystem::path output = "out/compare";  ///< folder of the report and the differences
+  Limits limits;                                 ///< of every pair
+  int threshold = compare::default_threshold;    ///< of 255; more is a change
+  int shown_pairs = 4;                           ///< in the report
+  bool quiet = false;                            ///< nothing but errors
+  bool json = false;                             ///< for machines
+};
+
 int run_render(const Scene& scene, const RenderOptions& options);
 
 /// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
@@ -69,6 +88,10 @@ int run_sweep(const SweepRequest& request, const SweepOptions& options);
 
 /// One task of a sweep, in a process of its own: told by JSON on the standard input.
 int run_sweep_job();
+
+/// Compares pictures, folders, videos or runs; leaves compare.html, compare.json and the
+/// differences. Fails where a pair is beyond a limit. @throws InputError
+int run_compare(const CompareOptions& options);
 
 /// Prints the scene with all defaults filled in, and what it will cost.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);

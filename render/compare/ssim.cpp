@@ -21,9 +21,22 @@ Taps gaussian() {
   return taps;
 }
 
-/// BT.601 luma of a pixel, 0 ... 1.
+// Variances are differences of large sums. In floats they come out best about the middle grey.
+constexpr float middle = 0.5f;
+
+/// BT.601 luma of a pixel, 0 ... 1, less the middle.
 float luma(const std::uint8_t* pixel) {
-  return (0.299f * pixel[0] + 0.587f * pixel[1] + 0.114f * pixel[2]) / 255.f;
+  return (0.299f * pixel[0] + 0.587f * pixel[1] + 0.114f * pixel[2]) / 255.f - middle;
+}
+
+/// Similarity of two windows by their means of x, y, x² + y² and xy, x and y less the middle
+/// (equation 13).
+float similarity(float x, float y, float squares, float product) {
+  constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
+  const float covariance = product - x * y, variances = squares - (x * x + y * y);
+  x += middle;
+  y += middle;
+  return (2.f * (x * y) + c1) * (2.f * covariance + c2) / ((x * x + y * y + c1) * (variances + c2));
 }
 
 }  // namespace
@@ -31,7 +44,6 @@ float luma(const std::uint8_t* pixel) {
 double ssim(const Image& a, const Image& b) {
   require_same_size(a, b);
   static const Taps taps = gaussian();
-  constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
   const int w = a.width, h = a.height;
   Plane x(w, h), y(w, h), squares(w, h), products(w, h);
 #pragma omp parallel for schedule(static)
@@ -65,13 +77,9 @@ double ssim(const Image& a, const Image& b) {
       filter(y, mean_y);
       filter(squares, mean_squares);
       filter(products, mean_products);
-      for (std::size_t i = std::size_t(left); i < std::size_t(w - left); ++i) {
-        const float of_means = mean_x[i] * mean_x[i] + mean_y[i] * mean_y[i];
-        const float product = mean_x[i] * mean_y[i];
-        row_sums[std::size_t(j)] += (2.f * product + c1) *
-                                    (2.f * (mean_products[i] - product) + c2) /
-                                    ((of_means + c1) * (mean_squares[i] - of_means + c2));
-      }
+      for (std::size_t i = std::size_t(left); i < std::size_t(w - left); ++i)
+        row_sums[std::size_t(j)] +=
+            similarity(mean_x[i], mean_y[i], mean_squares[i], mean_products[i]);
     }
   }
   double sum = 0;

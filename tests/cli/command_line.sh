@@ -122,6 +122,20 @@ case $part in
     grep -q "No plot here" "$out/probes.html" || complain "left no report without gnuplot" simulate
     expect 2 'did you mean "pressure"?' check "$folder/scene.json" --set 'probes=[{"name": "a", "presure": {}}]'
     ;;
+  compare)
+    small=(--set fluid.spacing=0.1 --set video.duration=0.1 --set video.width=64 --set video.height=36 --quiet)
+    "$program" render scenes/dam_break.json -o "$folder/a" "${small[@]}"
+    "$program" render scenes/dam_break.json -o "$folder/b" "${small[@]}" --set light.direction=[1,-1,0]
+    expect 0 "all 3 pairs" compare "$folder/a" "$folder/b" -o "$folder/out_ab"
+    expect 0 "light.direction: " compare "$folder/a" "$folder/b" -o "$folder/out_ab" --json
+    expect 1 "the mean of FLIP is 0." compare "$folder/a" "$folder/b" -o "$folder/out_ab" --max-flip 0.001 --quiet
+    expect 0 "" compare "$folder/a" "$folder/a/frames" -o "$folder/out_aa" --max-flip 0 --max-changed 0 --min-ssim 1
+    expect 0 "" compare "$folder/a/video.mp4" "$folder/b/video.mp4" -o "$folder/out_v"
+    expect 2 "there is no such file or folder" compare "$folder/a" "$folder/c" -o "$folder/out_ac"
+    expect 2 "64x36 pixels" compare "$folder/a/frames/0000.png" docs/images/knot.png -o "$folder/out_s"
+    expect 2 "not in range" compare "$folder/a" "$folder/b" --min-ssim 2
+    expect 2 'did you mean "--max-flip"?' compare "$folder/a" "$folder/b" --max-flop 1
+    ;;
   info)
     expect 0 "processor" info
     expect 0 '"renderer"' info --json
