@@ -58,7 +58,7 @@ function number_text(value) {
   if (value === undefined || value === null) return "–";
   if (Number.isInteger(value) && Math.abs(value) < 1e7) return value.toLocaleString("en");
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return value.toExponential(2);
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return Number(value.toPrecision(3)).toExponential();
   return String(Number(value.toPrecision(4)));
 }
 const is_percent = (name) => name.endsWith("compression");
@@ -69,26 +69,37 @@ const unit_of = (name) => is_percent(name) ? "%" : (metric_named[name]?.unit ?? 
 const title_of = (name) =>
   metric_named[name].title + (unit_of(name) ? ` (${unit_of(name)})` : "");
 
-// Runs with the same value of the first key have the same colour.
+// Runs with the same value of the first key have the same colour: each its own where they are few, else from blue for
+// the lowest through red to orange for the highest.
 const palette = ["#2f7fd1", "#e2702b", "#2e9e62", "#a05bc4", "#c8394b", "#8a7a1c", "#1b9aa8", "#7d7f87"];
-const color_values = [...new Set(runs.map((run) => JSON.stringify(run.values[data.keys[0]])))];
-const color_of = (run) =>
-  palette[color_values.indexOf(JSON.stringify(run.values[data.keys[0]])) % palette.length];
+const first_value = (run) => JSON.stringify(run.values[data.keys[0]]);
+const color_values = [...new Set(runs.map(first_value))];
+const in_steps = color_values.length > 5 && color_values.every((value) => typeof JSON.parse(value) === "number");
+if (in_steps) color_values.sort((a, b) => JSON.parse(a) - JSON.parse(b));
+function color_at(i) {
+  if (!in_steps) return palette[i % palette.length];
+  const part = i / (color_values.length - 1);
+  return `hsl(${(212 + 175 * part) % 360} ${60 + 20 * part}% ${52 - 6 * Math.sin(Math.PI * part)}%)`;
+}
+const color_of = (run) => color_at(color_values.indexOf(first_value(run)));
 
 /** The values of a run, as a line of a card. */
 function name_of(run) {
-  const name = element("span", {class: "name"}, element("span", {class: "dot", style: `background:${color_of(run)}`}));
+  const name = element("span", {class: "name"});
   for (const key of data.keys)
     name.append(element("span", {}, element("i", {}, key_title(key) + " "), element("b", {}, value_text(run.values[key]))));
+  name.firstChild.prepend(element("span", {class: "dot", style: `background:${color_of(run)}`}));
   if (run.name === data.reference) name.append(element("span", {class: "badge"}, "reference"));
   return name;
 }
 
-/** What the colours mean. */
+/** What the colours mean. Of many steps, the first, the middle and the last are told. */
 function make_legend() {
-  return color_values.slice(0, palette.length).map((value, i) =>
-    element("span", {class: "legend"}, element("span", {class: "dot", style: `background:${palette[i]}`}),
-      `${key_title(data.keys[0])} ${value_text(JSON.parse(value ?? "null"))}`));
+  const last = color_values.length - 1;
+  const told = in_steps ? [0, Math.round(last / 2), last] : [...color_values.keys()].slice(0, palette.length);
+  return told.map((i) => element("span", {class: "legend"},
+    element("span", {class: "dot", style: `background:${color_at(i)}`}),
+    `${key_title(data.keys[0])} ${value_text(JSON.parse(color_values[i]))}`));
 }
 
 function mark_chosen(elements) {

@@ -49,10 +49,10 @@ function show_difference() {
   const file = path_of(found.folder, `${String(frame).padStart(4, "0")}.png`);
   const shown = place.querySelector("img");
   if (shown?.getAttribute("src") !== file)
-    place.replaceChildren(element("img", {src: file, alt: `FLIP difference at ${number_text(frame / rate)} s`}));
+    place.replaceChildren(element("img", {src: file, alt: `FLIP difference at ${(frame / rate).toFixed(2)} s`}));
   const here = found.frames.find((f) => f.frame === frame);
   by_id("difference-caption").replaceChildren(
-    element("span", {}, `FLIP at ${number_text(frame / rate)} s: ${number_text(here.flip)}, dark where they look the same`),
+    element("span", {}, `FLIP at ${(frame / rate).toFixed(2)} s: ${number_text(here.flip)}, dark where they look the same`),
     element("span", {}, `mean of ${found.frames.length} ${found.all_frames ? "frames" : "pictures"} ${number_text(found.flip)}, `
       + `SSIM ${number_text(found.ssim)}`));
 }

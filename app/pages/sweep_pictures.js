@@ -4,7 +4,7 @@ function make_pictures() {
   const rows = [];
   grid.style.gridTemplateColumns = `minmax(120px, max-content) repeat(${data.times.length}, minmax(120px, 1fr))`;
   grid.append(element("span"));
-  for (const time of data.times) grid.append(element("span", {class: "time"}, `${number_text(time)} s`));
+  for (const time of data.times) grid.append(element("span", {class: "time"}, `${Number(time.toPrecision(3))} s`));
   for (const run of complete) {
     const row = element("button", {class: "row", type: "button", click: () => choose(run)}, name_of(run));
     grid.append(row);

@@ -37,7 +37,7 @@ function scale_of({low, high, logarithmic}, from, to) {
 /** Axes with their grid. Returns the picture and where values go in it. */
 function make_axes(x_range, y_range, x_title, y_title, height) {
   const svg = drawn("svg", {viewBox: `0 0 ${plot_width} ${height}`, role: "img"});
-  const left = 64, bottom = height - 42, right = plot_width - 12, top = 12;
+  const left = 70, bottom = height - 42, right = plot_width - 12, top = 12;
   const x = scale_of(x_range, left, right), y = scale_of(y_range, bottom, top);
   for (const tick of ticks_of(x_range))
     svg.append(drawn("line", {class: "grid", x1: x(tick), x2: x(tick), y1: top, y2: bottom}),

@@ -20,7 +20,7 @@ function columns_now() {
   return columns;
 }
 
-const is_constant = (column) =>
+const is_constant = (column) => !data.keys.includes(column.name) &&
   complete.length > 1 && complete.every((run) => column.text(run) === column.text(complete[0]));
 
 /** Numbers by size, all else by its text; what is missing comes last either way. */
@@ -74,7 +74,7 @@ function cell_of(column, run) {
     cell.style.setProperty("--part", `${largest > 0 ? 100 * Math.abs(value) / largest : 0}%`);
   }
   if (column.name === data.keys[0]) {
-    cell.prepend(element("span", {class: "dot", style: `background:${color_of(run)};margin-right:7px`}));
+    cell.prepend(element("span", {class: "dot", style: `background:${color_of(run)}`}));
     if (run.name === data.reference) cell.append(" ", element("span", {class: "badge"}, "reference"));
     if (run.failure) cell.append(" ", element("span", {class: "badge"}, "failed"));
   }

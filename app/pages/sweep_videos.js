@@ -60,17 +60,17 @@ function tick(before, now) {
   requestAnimationFrame((next) => tick(now, next));
 }
 
-/** A row for each combination of all keys but the last, where they are so few; small enough for all to be seen. */
+/** A row for each combination of all keys but the last, where they are few; so large that four rows are seen at once. */
 function lay_out_videos() {
   const style = by_id("videos").style;
   const last_key = data.keys[data.keys.length - 1];
-  const across = new Set(runs.map((run) => JSON.stringify(run.values[last_key]))).size;
-  if (data.keys.length < 2 || across < 2 || across > 6 || runs.length % across !== 0) return;
-  const rows = Math.min(4, runs.length / across);
+  const values = new Set(runs.map((run) => JSON.stringify(run.values[last_key]))).size;
+  const is_grid = data.keys.length > 1 && values > 1 && values <= 6 && runs.length % values === 0;
+  const across = is_grid ? values : Math.min(6, Math.ceil(Math.sqrt(1.3 * runs.length)));
+  const rows = Math.min(4, Math.ceil(runs.length / across));
   const aspect = Math.max(...runs.map((run) => run.width / run.height));
   style.setProperty("--across", across);
-  style.setProperty("--least", "0px");
-  style.setProperty("--most", `max(200px, ((100vh - 150px) / ${rows} - 44px) * ${aspect})`);
+  style.setProperty("--most", `max(200px, ((100vh - 140px) / ${rows} - 52px) * ${aspect})`);
 }
 
 function make_videos() {

@@ -45,7 +45,7 @@ ended_by_force() {
     sleep 0.02
   done
   find "$out/simulations" "$out/runs" -type f \( -name '*.particles' -o -name '*.readings' \) -printf '%p %T@ %i\n' \
-    >"$folder/before"
+    2>/dev/null >"$folder/before"
   local run
   for run in "$out"/runs/*; do
     [[ -e $run/run.json ]] && stat -c '%n %y %i' "$run/video.mp4" "$run/run.json" "$run/frames/0000.png"
@@ -72,8 +72,10 @@ if [[ ${2-} == shipped ]]; then
   done
   went_on "$folder/cut" "${shipped[@]}"
   diff <(checksums "$folder/whole") <(checksums "$folder/cut") || fail "the results differ"
-  bytes=$(cd "$folder/whole" && find . -type f ! -name '*.mp4' ! -path './simulations/*' -printf '%s\n' |
-    awk '{ s += $1 } END { print s }')
+  # The page and the pictures that it shows.
+  pictures=$(cd "$folder/whole/differences" && printf '%s\n' */*.png | xargs -n 1 basename | sort -u)
+  bytes=$(cd "$folder/whole" && { stat -c %s report.html differences/*/*.png
+    for picture in $pictures; do stat -c %s runs/*/frames/"$picture"; done; } | awk '{ s += $1 } END { print s }')
   ((bytes < 30000000)) || fail "the report and its pictures take $bytes bytes"
   exit 0
 fi
