@@ -310,6 +310,10 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   CompareOptions compare_options;
   add_compare_options(*compare, compare_options);
 
+  CLI::App* golden = app.add_subcommand("golden", "Hold scenes against pictures kept from before");
+  GoldenOptions golden_options;
+  add_golden_options(*golden, golden_options);
+
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
@@ -342,6 +346,9 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   }
   if (compare->parsed()) {
     return run_compare(compare_options);
+  }
+  if (golden->parsed()) {
+    return run_golden(golden_options);
   }
   if (info->parsed()) {
     return run_info(typed.json);

@@ -74,6 +74,18 @@ struct CompareOptions {
   bool json = false;                             ///< for machines
 };
 
+enum class GoldenAction { check, update };
+
+struct GoldenOptions {
+  GoldenAction action = GoldenAction::check;
+  std::filesystem::path list;                   ///< file
+  std::filesystem::path output = "out/golden";  ///< folder of what was rendered, and of the report
+  std::vector<std::string> only;                ///< names; empty: all
+  Overrides overrides;                          ///< of every scene
+  bool quiet = false;                           ///< nothing but errors
+  bool json = false;                            ///< for machines
+};
+
 int run_render(const Scene& scene, const RenderOptions& options);
 
 /// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
@@ -92,6 +104,11 @@ int run_sweep_job();
 /// Compares pictures, folders, videos or runs; leaves compare.html, compare.json and the
 /// differences. Fails where a pair is beyond a limit. @throws InputError
 int run_compare(const CompareOptions& options);
+
+/// Renders the scenes of a list and holds their frames against the pictures kept (check), or keeps
+/// them (update). Fails where one is beyond its tolerance or has no picture. @throws SceneError,
+/// InputError
+int run_golden(const GoldenOptions& options);
 
 /// Prints the scene with all defaults filled in, and what it will cost.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);

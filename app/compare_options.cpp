@@ -1,5 +1,7 @@
 #include "app/compare_options.hpp"
 
+#include <string>
+
 namespace spindrift::app {
 
 void add_compare_options(CLI::App& command, CompareOptions& options) {
@@ -33,6 +35,36 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "Print nothing but errors");
+  command.add_flag("--json", options.json, "Print for machines");
+}
+
+void add_golden_options(CLI::App& command, GoldenOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "action",
+          [&](const std::string& action) {
+            options.action = action == "update" ? GoldenAction::update : GoldenAction::check;
+          },
+          "Compare with the references, or make them")
+      ->required()
+      ->type_name("ACTION")
+      ->check(CLI::IsMember({"check", "update"}));
+  command.add_option("list", options.list, "List of golden tests")->required()->type_name("FILE");
+  command.add_option("-o,--out", options.output, "Folder for the results and the report")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_option("--only", options.only, "Only the golden tests of these names")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all();
+  command
+      .add_option("--set", options.overrides,
+                  "Set a value of every scene, to see whether the change is noticed")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   command.add_flag("--quiet", options.quiet, "Print nothing but errors");
   command.add_flag("--json", options.json, "Print for machines");
 }

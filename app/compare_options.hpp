@@ -8,5 +8,6 @@
 namespace spindrift::app {
 
 void add_compare_options(CLI::App& command, CompareOptions& options);
+void add_golden_options(CLI::App& command, GoldenOptions& options);
 
 }  // namespace spindrift::app

@@ -15,10 +15,10 @@ namespace spindrift::app {
 
 /// What is accepted of each pair of pictures; none: anything.
 struct Limits {
-  std::optional<double> max_flip;     ///< mean of FLIP, 0 ... 1
-  std::optional<double> max_changed;  ///< share of the pixels, 0 ... 1
-  std::optional<double> min_ssim;
-  std::optional<double> min_psnr;  ///< dB
+  std::optional<double> max_flip = {};     ///< mean of FLIP, 0 ... 1
+  std::optional<double> max_changed = {};  ///< share of the pixels, 0 ... 1
+  std::optional<double> min_ssim = {};
+  std::optional<double> min_psnr = {};  ///< dB
 };
 
 /// The limits that a pair is beyond, each as a sentence.

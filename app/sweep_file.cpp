@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include "app/nearest_name.hpp"
+#include "app/scene_reader.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -196,11 +195,7 @@ bool is_sweep(const Json& root) {
 }  // namespace
 
 std::optional<SweepRequest> read_sweep_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    return std::nullopt;  // told by the reader of scenes
-  const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  const SceneDocument document(content, file.string());
+  const SceneDocument document(scene_text(file), file.string());
   if (!is_sweep(document.root()))
     return std::nullopt;
   return SweepReader(document, file.parent_path()).read();

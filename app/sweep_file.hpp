@@ -7,8 +7,8 @@
 
 namespace spindrift::app {
 
-/// Reads a file that is a sweep; nothing for one that is a scene, or that can't be read.
-/// @throws SceneError with file, line, column and JSON path for a sweep that is not right
+/// Reads a file that is a sweep; nothing for one that is a scene. @throws SceneError for a file
+/// that can't be read, and with line, column and JSON path for a sweep that is not right
 std::optional<SweepRequest> read_sweep_file(const std::filesystem::path& file);
 
 /// JSON schema (draft 7) of sweep files.

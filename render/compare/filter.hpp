@@ -1,4 +1,6 @@
-// Separable filters of planes of floats, row by row. Beyond its edges a plane repeats them.
+// Separable filters of planes, row by row. Beyond its edges a plane repeats them.
+//
+// Real is float, or double where small differences of large sums are wanted.
 #pragma once
 
 #include <algorithm>
@@ -8,25 +10,32 @@
 namespace spindrift::compare {
 
 /// Weights of a filter of odd length, the middle one at the pixel itself.
-using Taps = std::vector<float>;
+template <class Real>
+using Taps = std::vector<Real>;
 
-inline constexpr int kLanes = 8;
+/// Rows are padded to a multiple of this.
+inline constexpr int kRowMultiple = 8;
 
-/// Eight floats that are worked on at once: one register with AVX, two with SSE.
-using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+/// Numbers that are worked on at once, 32 bytes: one register with AVX, two with SSE.
+template <class Real>
+using Lanes __attribute__((vector_size(32))) = Real;
+
+inline int padded_width(int width) {
+  return (width + kRowMultiple - 1) / kRowMultiple * kRowMultiple;
+}
 
 /// One value per pixel. Rows are padded, so that they can be read in whole lanes.
+template <class Real>
 class Plane {
  public:
   Plane(int width, int height)
       : height_(height),
-        stride_((width + kLanes - 1) / kLanes * kLanes),
+        stride_(padded_width(width)),
         values_(static_cast<std::size_t>(stride_) * height) {}
 
   /// The row of that number, or the nearest one.
-  float* row(int y) { return &values_[index(y)]; }
-  const float* row(int y) const { return &values_[index(y)]; }
-  int stride() const { return stride_; }
+  Real* row(int y) { return &values_[index(y)]; }
+  const Real* row(int y) const { return &values_[index(y)]; }
 
  private:
   std::size_t index(int y) const {
@@ -34,16 +43,16 @@ class Plane {
   }
 
   int height_, stride_;
-  std::vector<float> values_;
+  std::vector<Real> values_;
 };
 
 /// out[x] = the sum of weights times what `at(k)` points to, k counting the taps from 0.
-template <class At>
-void weighted_sum(const Taps& taps, const At& at, int count, float* out) {
-  for (int x = 0; x < count; x += kLanes) {
-    Lanes sum{};
+template <class Real, class At>
+void weighted_sum(const Taps<Real>& taps, const At& at, int count, Real* out) {
+  for (int x = 0; x < count; x += int(sizeof(Lanes<Real>) / sizeof(Real))) {
+    Lanes<Real> sum{};
     for (std::size_t k = 0; k < taps.size(); ++k) {
-      Lanes lanes;
+      Lanes<Real> lanes;
       std::memcpy(&lanes, at(static_cast<int>(k)) + x, sizeof lanes);
       sum += taps[k] * lanes;
     }
@@ -52,16 +61,17 @@ void weighted_sum(const Taps& taps, const At& at, int count, float* out) {
 }
 
 /// A row filtered across the rows around it, and then along itself.
+template <class Real>
 class RowFilter {
  public:
   explicit RowFilter(int width)
       : width_(width),
-        stride_((width + kLanes - 1) / kLanes * kLanes),
+        stride_(padded_width(width)),
         padded_(static_cast<std::size_t>(stride_) + 2 * kMargin) {}
 
   /// Sets the row to row y of the plane, filtered with the taps over the rows above and below.
-  void set(const Plane& plane, int y, const Taps& taps) {
-    float* const row = &padded_[kMargin];
+  void set(const Plane<Real>& plane, int y, const Taps<Real>& taps) {
+    Real* const row = &padded_[kMargin];
     const int radius = static_cast<int>(taps.size() / 2);
     weighted_sum(
         taps, [&](int k) { return plane.row(y + k - radius); }, stride_, row);
@@ -70,8 +80,8 @@ class RowFilter {
   }
 
   /// The row filtered along itself; `out` has room for whole lanes.
-  void filter(const Taps& taps, float* out) const {
-    const float* const first = &padded_[kMargin] - taps.size() / 2;
+  void filter(const Taps<Real>& taps, Real* out) const {
+    const Real* const first = &padded_[kMargin] - taps.size() / 2;
     weighted_sum(
         taps, [&](int k) { return first + k; }, stride_, out);
   }
@@ -80,7 +90,7 @@ class RowFilter {
   static constexpr int kMargin = 16;  ///< the longest filters reach 10 pixels
 
   int width_, stride_;
-  std::vector<float> padded_;
+  std::vector<Real> padded_;
 };
 
 }  // namespace spindrift::compare

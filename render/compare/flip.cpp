@@ -70,14 +70,14 @@ float redistributed(float error) {
 
 /// A 1-D filter from its weight at a distance in pixels.
 template <class Weight>
-Taps taps_of(int radius, const Weight& weight) {
-  Taps taps;
+Taps<float> taps_of(int radius, const Weight& weight) {
+  Taps<float> taps;
   for (int k = -radius; k <= radius; ++k)
     taps.push_back(weight(static_cast<float>(k)));
   return taps;
 }
 
-Taps scaled_to_one(Taps taps) {
+Taps<float> scaled_to_one(Taps<float> taps) {
   float sum = 0;
   for (const float tap : taps)
     sum += tap;
@@ -87,7 +87,7 @@ Taps scaled_to_one(Taps taps) {
 }
 
 /// Gaussian of the eye's contrast sensitivity, exp(-pi² d² / b) with d in degrees (equation 2).
-Taps sensitivity(float b) {
+Taps<float> sensitivity(float b) {
   // 3 standard deviations of the widest.
   const int radius =
       static_cast<int>(std::ceil(3.f * std::sqrt(0.04f / (2.f * pi * pi)) * pixels_per_degree));
@@ -98,7 +98,7 @@ Taps sensitivity(float b) {
 }
 
 /// Positive weights add up to 1, negative ones to -1.
-Taps scaled_by_sign(Taps taps) {
+Taps<float> scaled_by_sign(Taps<float> taps) {
   float positive = 0, negative = 0;
   for (const float tap : taps)
     (tap > 0 ? positive : negative) += std::abs(tap);
@@ -109,11 +109,11 @@ Taps scaled_by_sign(Taps taps) {
 
 /// What the eye lets through, and what finds edges and points.
 struct Filters {
-  Taps achromatic = sensitivity(0.0047f);
-  Taps red_green = sensitivity(0.0053f);
-  Taps blue_yellow = sensitivity(0.04f), blue_yellow_narrow = sensitivity(0.025f);
+  Taps<float> achromatic = sensitivity(0.0047f);
+  Taps<float> red_green = sensitivity(0.0053f);
+  Taps<float> blue_yellow = sensitivity(0.04f), blue_yellow_narrow = sensitivity(0.025f);
   float narrow_share;  ///< of blue_yellow_narrow in the sum
-  Taps smooth, edge, point;
+  Taps<float> smooth, edge, point;
 
   Filters() {
     // The sum of a sqrt(pi/b) exp(-pi² d² / b) in two dimensions weighs each Gaussian by the square
@@ -141,7 +141,7 @@ struct Filters {
 /// A picture in linear opponent colours, relative to white: Y, X - Y and Y - Z. These are the
 /// paper's YCxCz but for scale and offset, which filters that add up to 1 leave alone.
 struct Opponent {
-  Plane y, x_y, y_z;
+  Plane<float> y, x_y, y_z;
 
   explicit Opponent(const Image& image)
       : y(image.width, image.height),
@@ -169,7 +169,7 @@ class SeenRow {
   SeenRow(const Filters& filters, int width) : filters_(filters), width_(width), row_(width) {
     for (std::vector<float>* values :
          {&y_, &x_y_, &y_z_, &narrow_, &across_, &along_, &edge_, &point_})
-      values->resize(static_cast<std::size_t>(width) + kLanes);
+      values->resize(static_cast<std::size_t>(padded_width(width)));
     lab_.resize(static_cast<std::size_t>(width));
   }
 
@@ -184,7 +184,7 @@ class SeenRow {
   float point(int x) const { return point_[static_cast<std::size_t>(x)]; }
 
  private:
-  void filter(const Plane& plane, int y, const Taps& across, const Taps& along,
+  void filter(const Plane<float>& plane, int y, const Taps<float>& across, const Taps<float>& along,
               std::vector<float>& out) {
     row_.set(plane, y, across);
     row_.filter(along, out.data());
@@ -203,7 +203,8 @@ class SeenRow {
   }
 
   /// Length of the derivative in both directions.
-  void strength(const Opponent& picture, int y, const Taps& derivative, std::vector<float>& out) {
+  void strength(const Opponent& picture, int y, const Taps<float>& derivative,
+                std::vector<float>& out) {
     filter(picture.y, y, filters_.smooth, derivative, along_);
     filter(picture.y, y, derivative, filters_.smooth, across_);
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -212,7 +213,7 @@ class SeenRow {
 
   const Filters& filters_;
   int width_;
-  RowFilter row_;
+  RowFilter<float> row_;
   std::vector<float> y_, x_y_, y_z_, narrow_, across_, along_, edge_, point_;
   std::vector<glm::vec3> lab_;
 };

@@ -11,45 +11,39 @@ namespace {
 
 constexpr int radius = 5;  // of windows, pixels
 
-Taps gaussian() {
-  Taps taps;
-  float sum = 0;
+Taps<double> gaussian() {
+  Taps<double> taps;
+  double sum = 0;
   for (int k = -radius; k <= radius; ++k)
-    sum += taps.emplace_back(std::exp(-static_cast<float>(k * k) / (2.f * 1.5f * 1.5f)));
-  for (float& tap : taps)
+    sum += taps.emplace_back(std::exp(-k * k / (2. * 1.5 * 1.5)));
+  for (double& tap : taps)
     tap /= sum;
   return taps;
 }
 
-// Variances are differences of large sums. In floats they come out best about the middle grey.
-constexpr float middle = 0.5f;
-
-/// BT.601 luma of a pixel, 0 ... 1, less the middle.
-float luma(const std::uint8_t* pixel) {
-  return (0.299f * pixel[0] + 0.587f * pixel[1] + 0.114f * pixel[2]) / 255.f - middle;
+/// BT.601 luma of a pixel, 0 ... 1.
+double luma(const std::uint8_t* pixel) {
+  return (0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2]) / 255.;
 }
 
-/// Similarity of two windows by their means of x, y, x² + y² and xy, x and y less the middle
-/// (equation 13).
-float similarity(float x, float y, float squares, float product) {
-  constexpr float c1 = 0.01f * 0.01f, c2 = 0.03f * 0.03f;
-  const float covariance = product - x * y, variances = squares - (x * x + y * y);
-  x += middle;
-  y += middle;
-  return (2.f * (x * y) + c1) * (2.f * covariance + c2) / ((x * x + y * y + c1) * (variances + c2));
+/// Similarity of two windows by their means of x, y, x² + y² and xy (equation 13).
+double similarity(double x, double y, double squares, double product) {
+  constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
+  const double covariance = product - x * y, variances = squares - (x * x + y * y);
+  return (2. * (x * y) + c1) * (2. * covariance + c2) / ((x * x + y * y + c1) * (variances + c2));
 }
 
 }  // namespace
 
 double ssim(const Image& a, const Image& b) {
   require_same_size(a, b);
-  static const Taps taps = gaussian();
+  static const Taps<double> taps = gaussian();
   const int w = a.width, h = a.height;
-  Plane x(w, h), y(w, h), squares(w, h), products(w, h);
+  Plane<double> x(w, h), y(w, h), squares(w, h), products(w, h);
 #pragma omp parallel for schedule(static)
   for (int j = 0; j < h; ++j) {
-    float *const px = x.row(j), *const py = y.row(j), *const s = squares.row(j),
-                 *const p = products.row(j);
+    double *const px = x.row(j), *const py = y.row(j), *const s = squares.row(j),
+                  *const p = products.row(j);
     for (int i = 0; i < w; ++i) {
       const std::size_t at = (std::size_t(j) * w + i) * 3;
       px[i] = luma(&a.pixels[at]);
@@ -64,12 +58,12 @@ double ssim(const Image& a, const Image& b) {
   std::vector<double> row_sums(std::size_t(h), 0.);
 #pragma omp parallel
   {
-    RowFilter row(w);
-    const auto length = static_cast<std::size_t>(x.stride());
-    std::vector<float> mean_x(length), mean_y(length), mean_squares(length), mean_products(length);
+    RowFilter<double> row(w);
+    const auto length = static_cast<std::size_t>(padded_width(w));
+    std::vector<double> mean_x(length), mean_y(length), mean_squares(length), mean_products(length);
 #pragma omp for schedule(static)
     for (int j = top; j < h - top; ++j) {
-      const auto filter = [&](const Plane& plane, std::vector<float>& out) {
+      const auto filter = [&](const Plane<double>& plane, std::vector<double>& out) {
         row.set(plane, j, taps);
         row.filter(taps, out.data());
       };

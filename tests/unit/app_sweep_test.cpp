@@ -161,7 +161,7 @@ TEST_CASE("a sweep file says what varies; grid, list and hypercube are combined"
 
 TEST_CASE("a scene is no sweep") {
   CHECK_FALSE(read_sweep_file(small_scene));
-  CHECK_FALSE(read_sweep_file("no_such_file.json"));
+  CHECK_THROWS_WITH(read_sweep_file("no_such_file.json"), Contains("there is no such file"));
 }
 
 TEST_CASE("a wrong sweep file is refused with the place and what is accepted") {
