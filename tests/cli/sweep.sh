@@ -14,6 +14,7 @@ small=(scenes/small_dam_break.json --set fluid.spacing=0.06 --set video.duration
 varied=("${small[@]}" --set fluid.viscosity=0.1,2,20 --set surface.smoothing=0,5,30)
 grid=("${varied[@]}" --reference viscosity=2,smoothing=5 --target gauge_m=0.41 --threads 2)
 sweep() { "$program" sweep "$@" >"$folder/out" 2>"$folder/err" </dev/null; }
+children_of() { cat /proc/"$1"/task/*/children 2>/dev/null; }
 count() { find "$1" -name "$2" 2>/dev/null | wc -l; }
 
 # What does not depend on the machine's speed, as a list of checksums.
@@ -37,12 +38,16 @@ ended_by_force() {
   sweep "$@" -o "$out"
   (($? == 3)) && grep -q "another sweep is at work here" "$folder/err" ||
     fail "a second sweep in the same folder was not refused"
+  local child children
+  children=$(children_of $pid)
   kill -KILL $pid
   wait $pid 2>/dev/null
-  for _ in $(seq 100); do
-    grep -lsaz "^sweep-job" /proc/[0-9]*/cmdline >"$folder/left" 2>/dev/null
-    xargs -r -a "$folder/left" grep -las "$out" >/dev/null || break
-    sleep 0.02
+  for child in $children; do
+    for _ in $(seq 200); do
+      [[ -e /proc/$child ]] || break
+      sleep 0.02
+    done
+    [[ ! -e /proc/$child ]] || fail "a process outlived the sweep"
   done
   find "$out/simulations" "$out/runs" -type f \( -name '*.particles' -o -name '*.readings' \) -printf '%p %T@ %i\n' \
     2>/dev/null >"$folder/before"
@@ -124,7 +129,7 @@ grep -q '"failure": "no time step' "$folder/failing/sweep.json" || fail "the rep
 pid=$!
 child=
 for _ in $(seq 500); do
-  child=$(cat /proc/$pid/task/*/children 2>/dev/null | tr -d ' ')
+  child=$(children_of $pid | tr -d ' ')
   [[ -n $child ]] && (($(count "$folder/dying/simulations" '*.particles') > 0)) && break
   sleep 0.02
 done
