@@ -18,29 +18,23 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_curve_points = 400;
 
-const std::vector<SweepMetric>& run_metrics() {
-  static const std::vector<SweepMetric> metrics{{"simulation_seconds", "simulation", "s"},
-                                                {"drawing_seconds", "drawing", "s"},
-                                                {"particles", "particles"},
-                                                {"steps", "steps"},
-                                                {"rejected_steps", "refused steps"},
-                                                {"iterations", "iterations"},
-                                                {"mean_compression", "mean compression"},
-                                                {"max_compression", "largest compression"}};
-  return metrics;
-}
+/// A figure that every run has, and where run.json has it; empty: it does not.
+struct RunFigure {
+  SweepMetric metric;
+  std::string in_report;
+};
 
-/// run.json's names of the same figures.
-const std::map<std::string, std::string>& report_names() {
-  static const std::map<std::string, std::string> names{
-      {"drawing_seconds", "wall_seconds"},
-      {"particles", "particles"},
-      {"steps", "steps"},
-      {"rejected_steps", "rejected_steps"},
-      {"iterations", "iterations"},
-      {"mean_compression", "worst_mean_compression"},
-      {"max_compression", "worst_max_compression"}};
-  return names;
+const std::vector<RunFigure>& run_figures() {
+  static const std::vector<RunFigure> figures{
+      {{"simulation_seconds", "simulation", "s"}, ""},
+      {{"drawing_seconds", "drawing", "s"}, "wall_seconds"},
+      {{"particles", "particles"}, "particles"},
+      {{"steps", "steps"}, "steps"},
+      {{"rejected_steps", "refused steps"}, "rejected_steps"},
+      {{"iterations", "iterations"}, "iterations"},
+      {{"mean_compression", "mean compression"}, "worst_mean_compression"},
+      {{"max_compression", "largest compression"}, "worst_max_compression"}};
+  return figures;
 }
 
 /// probes.csv by its columns; NaN where a cell is empty.
@@ -108,8 +102,9 @@ void read_run(const SweepRun& run, const SweepFolder& folder, SweepResult& resul
   if (!result.complete)
     return;
   const Json report = json_in(folder.run(run) / "run.json");
-  for (const auto& [name, key] : report_names())
-    result.figures[name] = report.value(key, 0.);
+  for (const RunFigure& figure : run_figures())
+    if (!figure.in_report.empty())
+      result.figures[figure.metric.name] = report.value(figure.in_report, 0.);
   double seconds = 0;
   if (std::ifstream(folder.simulation(run) / seconds_file) >> seconds)
     result.figures["simulation_seconds"] = seconds;
@@ -164,7 +159,9 @@ Json comparisons_json(const SweepPlan& plan, const SweepFolder& folder,
 }  // namespace
 
 std::vector<SweepMetric> metrics_of(const SweepPlan& plan) {
-  std::vector<SweepMetric> metrics = run_metrics();
+  std::vector<SweepMetric> metrics;
+  for (const RunFigure& figure : run_figures())
+    metrics.push_back(figure.metric);
   if (plan.reference)
     metrics.push_back({"flip", "FLIP to the reference"});
   for (const SweepRun& run : plan.runs)
