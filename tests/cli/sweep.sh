@@ -24,6 +24,17 @@ checksums() {
     sed '/_seconds"/d' sweep.json | sha256sum)
 }
 
+# Ends a sweep, and waits until the processes that it began are gone too.
+end_by_force() {
+  local child children
+  children=$(children_of "$1")
+  kill -KILL "$1"
+  wait "$1" 2>/dev/null
+  for child in $children; do
+    while [[ -e /proc/$child ]]; do sleep 0.02; done
+  done
+}
+
 # ended_by_force FOLDER COMPLETE ARGUMENT...: ends the sweep once so many runs are complete, lists what is there, goes on
 # to the end, and checks that nothing of the list was made again.
 ended_by_force() {
@@ -38,17 +49,7 @@ ended_by_force() {
   sweep "$@" -o "$out"
   (($? == 3)) && grep -q "another sweep is at work here" "$folder/err" ||
     fail "a second sweep in the same folder was not refused"
-  local child children
-  children=$(children_of $pid)
-  kill -KILL $pid
-  wait $pid 2>/dev/null
-  for child in $children; do
-    for _ in $(seq 200); do
-      [[ -e /proc/$child ]] || break
-      sleep 0.02
-    done
-    [[ ! -e /proc/$child ]] || fail "a process outlived the sweep"
-  done
+  end_by_force $pid
   find "$out/simulations" "$out/runs" -type f \( -name '*.particles' -o -name '*.readings' \) -printf '%p %T@ %i\n' \
     2>/dev/null >"$folder/before"
   local run
@@ -140,14 +141,22 @@ code=$?
 grep -q "viscosity=1 failed: .*signal 9" "$folder/err" || fail "it did not say which run died"
 [[ -s $folder/dying/runs/viscosity=2/video.mp4 ]] || fail "the run after the one that died was not done"
 
-# Ctrl-C.
-"$program" sweep "${small[@]}" --set fluid.viscosity=1,3 --set video.duration=4 -o "$folder/interrupted" \
-  >"$folder/out" 2>"$folder/err" </dev/null &
-pid=$!
-for _ in $(seq 500); do
-  (($(count "$folder/interrupted/simulations" '*.particles') > 1)) && break
-  sleep 0.02
-done
+# Ended by force in the middle of a simulation: its process ends as well. Then the same by Ctrl-C.
+long=("${small[@]}" --set fluid.viscosity=1,3 --set video.duration=6 -o "$folder/interrupted")
+begin_long() {
+  local before
+  before=$(count "$folder/interrupted/simulations" '*.particles')
+  "$program" sweep "${long[@]}" >"$folder/out" 2>"$folder/err" </dev/null &
+  pid=$!
+  for _ in $(seq 500); do
+    (($(count "$folder/interrupted/simulations" '*.particles') > before + 1)) && break
+    sleep 0.02
+  done
+}
+begin_long
+end_by_force $pid
+(($(count "$folder/interrupted/simulations" '*.particles') < 100)) || fail "simulations outlived the sweep"
+begin_long
 kill -INT $pid
 wait $pid
 code=$?
