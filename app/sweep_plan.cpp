@@ -64,25 +64,25 @@ std::string run_name(const SweepValues& values, const std::map<std::string, std:
 }
 
 /// The message with the place where the value stands in the sweep, instead of how it was handed
-/// over.
-std::string placed_message(const std::string& message, const SweepValues& all,
-                           const std::vector<std::string>& overrides) {
+/// over; where it is about no one value, with the run's name.
+std::string placed_message(const std::string& message, const std::string& run,
+                           const SweepValues& all, const std::vector<std::string>& overrides) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string handed_over = fmt::format("--set {}: ", overrides[i]);
     if (message.starts_with(handed_over))
       return fmt::format("{}: {}", all[i].place, message.substr(handed_over.size()));
   }
-  return message;
+  return fmt::format("{} (in the run {})", message, run);
 }
 
-Scene read_run(const std::filesystem::path& file, const SweepValues& all) {
+Scene read_run(const std::filesystem::path& file, const std::string& name, const SweepValues& all) {
   Overrides overrides;
   for (const SweepValue& v : all)
     overrides.push_back(fmt::format("{}={}", v.key, v.value.dump()));
   try {
     return read_scene(file, overrides);
   } catch (const SceneError& error) {
-    throw SceneError(placed_message(error.what(), all, overrides));
+    throw SceneError(placed_message(error.what(), name, all, overrides));
   }
 }
 
@@ -275,7 +275,8 @@ SweepPlan plan_sweep(const SweepRequest& request) {
   const auto names = short_names(plan.keys);
   std::map<std::string, std::size_t> first;
   for_each_combination(request.axes, [&](const SweepValues& all, const SweepValues& varied) {
-    SweepRun run{run_name(varied, names), varied, read_run(request.scene, all), {}};
+    const std::string name = run_name(varied, names);
+    SweepRun run{name, varied, read_run(request.scene, name, all), {}};
     run.simulation = simulation_name(run.scene);
     if (!first.emplace(run.name, plan.runs.size()).second)
       throw SceneError(fmt::format("{}: two runs have the same values: {}",

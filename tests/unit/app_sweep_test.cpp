@@ -97,6 +97,9 @@ TEST_CASE("a sweep that makes no sense is refused") {
                     Contains("fluid.viscosity is varied twice"));
   CHECK_THROWS_WITH(plan_of({"fluid.viscosity=1,thick"}),
                     Contains("--set fluid.viscosity=1,thick: fluid.viscosity: expected a number"));
+  CHECK_THROWS_WITH(
+      plan_of({"fluid.viscosity=1,2", "domain.max[0]=1.2,0.4"}),
+      Contains("is outside the domain") && Contains("(in the run viscosity=1,max[0]=0.4)"));
   CHECK_THROWS_WITH(parse_sweep_target("front_m"), Contains("METRIC=NUMBER"));
   CHECK_THROWS_WITH(parse_sweep_target("front_m=far"), Contains("METRIC=NUMBER"));
 }
