@@ -82,6 +82,7 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
   ComparisonReport comparison{.title = "Spindrift comparison",
                               .a = a.path().string(),
                               .b = b.path().string(),
+                              .frames = true,
                               .threshold = options.threshold};
   for (;;) {
     const std::optional<Picture> p = a.next(), q = b.next();

@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/comparison.hpp"
 #include "app/golden_list.hpp"
+#include "app/interrupt.hpp"
 #include "app/nearest_name.hpp"
 #include "render/output/output.hpp"
 
@@ -44,7 +45,7 @@ class GoldenRun {
     render.frames = FrameRange{golden.frames.front(), golden.frames.back()};
     render.cache = false;  // kept particles would hide a change of the solver
     render.quiet = true;
-    if (run_render(golden.resolved, render) != done) {
+    if (run_render(golden.resolved, render) != done || InterruptGuard::requested()) {
       not_rendered_ = true;
       return;
     }
@@ -162,10 +163,13 @@ int run_golden(const GoldenOptions& options) {
   const GoldenList list = read_golden_list(options.list, options.overrides);
   require_names(options.only, list);
   GoldenRun run(options, list);
-  for (const Golden& golden : list.goldens)
+  for (const Golden& golden : list.goldens) {
     if (options.only.empty() ||
         std::find(options.only.begin(), options.only.end(), golden.name) != options.only.end())
       run.run(golden);
+    if (InterruptGuard::requested())
+      break;
+  }
   return run.finish();
 }
 

@@ -69,18 +69,20 @@ nlohmann::ordered_json comparison_json(const ComparisonReport& comparison) {
 }
 
 std::string comparison_text(const ComparisonReport& comparison) {
-  std::string text = fmt::format("{:<16} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9}\n", "", "FLIP",
-                                 "95 %", "99 %", "largest", "SSIM", "PSNR, dB", "changed");
-  const auto add = [&](const std::string& name, const Metrics& m) {
-    text += fmt::format("{:<16} {:>8.5f} {:>8.4f} {:>8.4f} {:>8.4f} {:>8.5f} {:>9.2f} {:>7.3f} %\n",
-                        name, m.flip.mean, m.flip.percentiles[3], m.flip.percentiles[4], m.flip.max,
-                        m.ssim, m.psnr, 100 * m.changed);
-  };
   const std::size_t count = comparison.pairs.size();
-  add(count == 1 ? comparison.pairs.front().name : fmt::format("all {} pairs", count),
-      comparison.all.metrics());
+  const ComparedPair& worst = comparison.worst();
+  const std::string all = fmt::format("all {} pairs", count);
+  const std::size_t width = std::max(all.size(), worst.name.size());
+  std::string text = fmt::format("{:<{}} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9}\n", "", width,
+                                 "FLIP", "95 %", "99 %", "largest", "SSIM", "PSNR, dB", "changed");
+  const auto add = [&](const std::string& name, const Metrics& m) {
+    text += fmt::format("{:<{}} {:>8.5f} {:>8.4f} {:>8.4f} {:>8.4f} {:>8.5f} {:>9.2f} {:>7.3f} %\n",
+                        name, width, m.flip.mean, m.flip.percentiles[3], m.flip.percentiles[4],
+                        m.flip.max, m.ssim, m.psnr, 100 * m.changed);
+  };
   if (count > 1)
-    add(comparison.worst().name, comparison.worst().metrics);
+    add(all, comparison.all.metrics());
+  add(worst.name, worst.metrics);
   for (const std::string& note : comparison.notes)
     text += note + "\n";
   return text;

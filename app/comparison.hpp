@@ -42,6 +42,7 @@ struct ComparedPair {
 struct ComparisonReport {
   std::string title = {};      ///< of the report
   std::string a = {}, b = {};  ///< what was compared, as given
+  bool frames = false;         ///< the pairs are in the order of time
   int threshold = compare::default_threshold;
   std::vector<ComparedPair> pairs = {};
   compare::Tally all = {};
@@ -54,7 +55,7 @@ struct ComparisonReport {
 
 nlohmann::ordered_json comparison_json(const ComparisonReport& comparison);
 
-/// A table for people: a line for all pairs together and one for the worst; then the notes.
+/// A table for people: a line for all pairs together and one for the worst, and the notes.
 std::string comparison_text(const ComparisonReport& comparison);
 
 /// A line for each of the first few pairs beyond their limits; empty where none is.

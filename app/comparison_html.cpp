@@ -131,7 +131,7 @@ std::string comparison_html(const ComparisonReport& comparison,
                                     broken, count);
   for (const std::string& note : comparison.notes)
     html += fmt::format("<p>{}</p>\n", html_escaped(note));
-  if (count > 1)
+  if (comparison.frames && count > 1)
     html += draw(flip_plot(comparison));
   html += scale_html();
   for (const ComparedPair& pair : comparison.pairs)

@@ -237,7 +237,7 @@ std::vector<float> flip(const Image& a, const Image& b) {
         const float feature =
             std::max(std::abs(p.edge(x) - q.edge(x)), std::abs(p.point(x) - q.point(x)));
         const float sharpened = std::min(1.f, std::sqrt(feature / std::numbers::sqrt2_v<float>));
-        errors[std::size_t(y) * a.width + x] = std::pow(color, 1.f - sharpened);
+        errors[std::size_t(y) * a.width + x] = std::min(1.f, std::pow(color, 1.f - sharpened));
       }
     }
   }

@@ -34,7 +34,7 @@ void Tally::add(const Image& a, const Image& b, const std::vector<float>& flip, 
   for (const float value : flip) {
     flip_sum_ += value;
     flip_max_ = std::max(flip_max_, value);
-    ++flip_histogram_[static_cast<std::size_t>(std::ceil(value * flip_bins))];
+    ++flip_histogram_[static_cast<std::size_t>(std::ceil(std::clamp(value, 0.f, 1.f) * flip_bins))];
   }
   pixels_ += static_cast<std::int64_t>(flip.size());
   ssim_sum_ += ssim;

@@ -194,6 +194,19 @@ TEST_CASE("no metric asks which picture is which, and all stay within their boun
   }
 }
 
+TEST_CASE("no two colours are farther apart than FLIP can count") {
+  for (int p = 0; p < 8; ++p)
+    for (int q = 0; q < 8; ++q) {
+      const auto corner = [](int k) {
+        return solid(2, 2, 255 * (k & 1), 255 * (k >> 1 & 1), 255 * (k >> 2));
+      };
+      const Metrics m = measure(corner(p), corner(q));
+      CHECK(m.flip.max <= 1);
+      CHECK(m.flip.percentiles.back() <= 1);
+      CHECK((m.flip.mean > 0.1) == (p != q));
+    }
+}
+
 TEST_CASE("PSNR and the share of changed pixels are what one can count") {
   // One of 100 pixels is off by 17 in one channel: the mean squared error is 17² / 300.
   const Image a = solid(10, 10, 100, 100, 100);
