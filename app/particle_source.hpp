@@ -41,7 +41,7 @@ class ParticleSource {
   std::vector<ProbeReading>& readings_;
   std::optional<ParticleCache> cache_;
   std::string readings_name_;  ///< of the files that readings between frames are kept in
-  bool read_only_ = false;  ///< particles are given, never simulated
+  bool read_only_ = false;     ///< particles are given, never simulated
   bool cached_so_far_ = true;
   KeptFrame last_;
   std::unique_ptr<sim::Simulation> simulation_;

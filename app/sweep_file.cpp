@@ -192,20 +192,13 @@ bool is_sweep(const Json& root) {
                               root.contains("list") || root.contains("latin_hypercube"));
 }
 
-}  // namespace
-
-std::optional<SweepRequest> read_sweep_file(const std::filesystem::path& file) {
-  const SceneDocument document(scene_text(file), file.string());
-  if (!is_sweep(document.root()))
-    return std::nullopt;
-  return SweepReader(document, file.parent_path()).read();
+/// {"KEY": VALUE, ...} with values of one kind.
+Json object_of(const char* about, const Json& values) {
+  return {{"description", about}, {"type", "object"}, {"additionalProperties", values}};
 }
 
-nlohmann::ordered_json sweep_schema() {
+Json hypercube_schema() {
   const Json number{{"type", "number"}};
-  const auto object_of = [](const char* about, const Json& values) {
-    return Json{{"description", about}, {"type", "object"}, {"additionalProperties", values}};
-  };
   Json range{{"type", "object"},
              {"properties",
               {{"min", number},
@@ -218,14 +211,27 @@ nlohmann::ordered_json sweep_schema() {
                 {{"description", "whole numbers only"}, {"type", "boolean"}, {"default", false}}}}},
              {"required", Json::array({"min", "max"})},
              {"additionalProperties", false}};
-  Json hypercube{{"description", "values drawn so that each part of each range is met once"},
-                 {"type", "object"},
-                 {"properties",
-                  {{"samples", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10'000}}},
-                   {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 1}}},
-                   {"ranges", object_of("by key of the scene", range)}}},
-                 {"required", Json::array({"samples", "ranges"})},
-                 {"additionalProperties", false}};
+  return {{"description", "values drawn so that each part of each range is met once"},
+          {"type", "object"},
+          {"properties",
+           {{"samples", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10'000}}},
+            {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 1}}},
+            {"ranges", object_of("by key of the scene", range)}}},
+          {"required", Json::array({"samples", "ranges"})},
+          {"additionalProperties", false}};
+}
+
+}  // namespace
+
+std::optional<SweepRequest> read_sweep_file(const std::filesystem::path& file) {
+  const SceneDocument document(scene_text(file), file.string());
+  if (!is_sweep(document.root()))
+    return std::nullopt;
+  return SweepReader(document, file.parent_path()).read();
+}
+
+nlohmann::ordered_json sweep_schema() {
+  const Json number{{"type", "number"}};
   Json properties{
       {"$schema", {{"type", "string"}}},
       {"scene",
@@ -238,7 +244,7 @@ nlohmann::ordered_json sweep_schema() {
         {"type", "array"},
         {"minItems", 1},
         {"items", object_of("values by key", Json::object())}}},
-      {"latin_hypercube", hypercube},
+      {"latin_hypercube", hypercube_schema()},
       {"reference",
        {{"description", "the run that all are compared with: its name, or values of it alone"},
         {"type", "string"}}},
