@@ -130,6 +130,18 @@ int compare_runs(const Json& job) {
   return done;
 }
 
+/// Removes what a process that was ended by force was about to write (output::AtomicFile's names).
+void remove_leftovers(const fs::path& folder) {
+  std::vector<fs::path> leftovers;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".") && name.find(".part") != std::string::npos)
+      leftovers.push_back(entry.path());
+  }
+  for (const fs::path& file : leftovers)
+    fs::remove(file);
+}
+
 /// The first line of what a program complained about.
 std::string complaint(const ProcessResult& child) {
   constexpr std::string_view prefix = "spindrift: ";
@@ -187,7 +199,9 @@ int run_sweep_job() {
   const int threads = job.at("threads");
   omp_set_num_threads(threads);
   ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0);  // of Mesa's software renderer
-  const FolderLock lock(job.at("output").get<std::string>(), true);
+  const fs::path output = job.at("output").get<std::string>();
+  const FolderLock lock(output, true);
+  remove_leftovers(output);
   const auto what = job.at("do").get<std::string>();
   return what == "simulate" ? simulate(job) : what == "draw" ? draw(job) : compare_runs(job);
 }
