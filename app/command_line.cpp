@@ -16,6 +16,7 @@
 #include "app/compare_options.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_fields.hpp"
+#include "app/sweep_options.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -41,6 +42,8 @@ struct Typed {
   double limit_seconds = BenchPlan{}.limit_seconds;
   bool quick = false;
   bool plane = false, scaling = false, threads_scaling = false;
+
+  bool of_sweeps = false;  // schema
 };
 
 /// Misuse of the command line; the message is for people.
@@ -296,6 +299,13 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   CLI::App* bench_run = app.add_subcommand("bench-run", "One run of bench, told on stdin");
   bench_run->group("");  // for bench itself
 
+  CLI::App* sweep =
+      app.add_subcommand("sweep", "Run a scene with many values, and compare the runs");
+  TypedSweep typed_sweep;
+  add_sweep_options(*sweep, typed_sweep);
+  CLI::App* sweep_job = app.add_subcommand("sweep-job", "One task of sweep, told on stdin");
+  sweep_job->group("");  // for sweep itself
+
   CLI::App* compare = app.add_subcommand("compare", "Compare pictures, videos or runs");
   CompareOptions compare_options;
   add_compare_options(*compare, compare_options);
@@ -309,6 +319,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
 
   CLI::App* schema = app.add_subcommand("schema", "Print the JSON schema of scene files");
   schema->group("");  // for the makers of scenes/scene.schema.json
+  schema->add_flag("--sweep", typed.of_sweeps, "That of sweep files");
 
   app.parse(argc, argv);
   if (typed.threads == 0) {
@@ -327,6 +338,12 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   if (bench_run->parsed()) {
     return run_bench_child();
   }
+  if (sweep->parsed()) {
+    return run_typed_sweep(typed_sweep, command_as_typed(argc, argv));
+  }
+  if (sweep_job->parsed()) {
+    return run_sweep_job();
+  }
   if (compare->parsed()) {
     return run_compare(compare_options);
   }
@@ -337,7 +354,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
     return run_info(typed.json);
   }
   if (schema->parsed()) {
-    return run_schema();
+    return run_schema(typed.of_sweeps);
   }
   throw UsageError("a command is missing");
 }

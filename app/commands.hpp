@@ -9,6 +9,7 @@
 #include "app/bench_runs.hpp"
 #include "app/comparison.hpp"
 #include "app/scene.hpp"
+#include "app/sweep_plan.hpp"
 
 namespace spindrift::app {
 
@@ -54,6 +55,15 @@ struct BenchOptions {
   bool json = false;             ///< for machines
 };
 
+struct SweepOptions {
+  std::filesystem::path output;   ///< folder of all results
+  int threads = 1;                ///< of all runs together
+  int jobs = 0;                   ///< runs at once, at most; 0: as many as there are threads
+  bool quiet = false;             ///< nothing but errors
+  bool json = false;              ///< for machines
+  std::string command_line_hint;  ///< the command as typed, to say how to go on
+};
+
 struct CompareOptions {
   std::filesystem::path a, b;
   std::filesystem::path output = "out/compare";  ///< folder of the report and the differences
@@ -85,6 +95,12 @@ int run_bench(const BenchOptions& options);
 /// standard output.
 int run_bench_child();
 
+/// Runs what of a sweep is not done yet, and leaves a report of all of it.
+int run_sweep(const SweepRequest& request, const SweepOptions& options);
+
+/// One task of a sweep, in a process of its own: told by JSON on the standard input.
+int run_sweep_job();
+
 /// Compares pictures, folders, videos or runs; leaves compare.html, compare.json and the
 /// differences. Fails where a pair is beyond a limit. @throws InputError
 int run_compare(const CompareOptions& options);
@@ -100,7 +116,7 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json);
 /// Prints versions, processor, renderer and encoder.
 int run_info(bool json);
 
-/// Prints the JSON schema of scene files.
-int run_schema();
+/// Prints the JSON schema of scene files, or of sweep files.
+int run_schema(bool of_sweeps);
 
 }  // namespace spindrift::app

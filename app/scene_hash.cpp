@@ -58,7 +58,11 @@ std::string simulation_hash(const Scene& scene) {
   if (!scene.probes.empty() && scene.probes_rate > 0)
     what["probes_rate"] = scene.probes_rate;  // steps end where probes are read
   what["particles_version"] = particles_version;
-  return text_of(fnv1a(what.dump()));
+  return text_hash(what.dump());
+}
+
+std::string text_hash(std::string_view text) {
+  return text_of(fnv1a(text));
 }
 
 }  // namespace spindrift::app

@@ -110,10 +110,15 @@ case $part in
              END { exit NR != 3 }' "$out/probes.csv" || complain "read something else" simulate
     [[ $(grep -c "<svg" "$out/probes.html") == 2 ]] || complain "did not plot what was measured" simulate
     grep -qi "src=\|href=.http" "$out/probes.html" && complain "needs other files for its report" simulate
-    # At a rate of their own; from kept particles, a reading a frame; without gnuplot, no plots.
+    # At a rate of their own, kept with the particles; other probes of kept particles, a reading a frame; without gnuplot,
+    # no plots.
     expect 0 "probes.html" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
     [[ $(wc -l <"$out/probes.csv") == 22 ]] || complain "did not read at the rate" simulate
-    expect 0 "--no-cache reads them 400 times a second" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
+    cp "$out/probes.csv" "$folder/first.csv"
+    expect 0 "probes.html" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
+    cmp "$out/probes.csv" "$folder/first.csv" || complain "lost what was read between the frames" simulate
+    expect 0 "--no-cache reads them 400 times a second" simulate "$folder/scene.json" -o "$out" --set probes_rate=400 \
+      --set 'probes=[{"name": "all", "volume": {}}]'
     [[ $(wc -l <"$out/probes.csv") == 3 ]] || complain "did not read the kept frames" simulate
     mkdir "$folder/bin"
     PATH=$folder/bin "$program" simulate "$folder/scene.json" -o "$out" >"$folder/out" 2>"$folder/err" ||
