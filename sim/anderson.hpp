@@ -11,10 +11,10 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/openmp/executor.hpp"
+#include "sim/backend.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class AndersonAcceleration {
  public:
@@ -111,4 +111,4 @@ class AndersonAcceleration {
   double squared_residual_ = 0;                               ///< |rₖ|²
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -7,7 +7,7 @@
 #include "sim/lattice.hpp"
 #include "sim/shapes.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// A single layer has no second one behind it that would stop what has come through between two
@@ -270,4 +270,4 @@ std::size_t Boundary::memory_bytes() const {
          wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

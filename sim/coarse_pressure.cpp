@@ -5,7 +5,7 @@
 
 #include "sim/lattice.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// A particle is spray or surface, and keeps no pressure, if its density is further below the rest
@@ -33,11 +33,12 @@ CoarsePressure::CoarsePressure(const FluidConstants& constants)
 void CoarsePressure::build(const StepContext& s, float delta) {
   map_ = *s.map;
   count_ = static_cast<std::uint32_t>(s.grid->cell_count());
-  neighbours_.build(map_, *s.grid);
+  neighbours_.build(map_, s.grid->view());
   const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
-  grow(conductance_, place(batches * lane_count, 0));
+  grow(conductance_, CellNeighbourView::place(batches * lane_count, 0));
   s.executor.for_each("coarse grid", batches, [&](std::uint32_t b) {
-    std::fill_n(&conductance_[place(b * lane_count, 0)], slots * lane_count, 0.f);
+    std::fill_n(&conductance_[CellNeighbourView::place(b * lane_count, 0)], slots * lane_count,
+                0.f);
   });
   for (ScalarField* field : {&inverse_diagonal_, &pressure_, &residual_, &direction_, &image_})
     field->resize(count_);
@@ -46,7 +47,7 @@ void CoarsePressure::build(const StepContext& s, float delta) {
   s.executor.for_each("coarse grid", count_, [&](std::uint32_t c) {
     float around = 0;
     for (int t = 0; t < slots; ++t)
-      around += conductance_[place(c, t)];
+      around += conductance_[CellNeighbourView::place(c, t)];
     float particles = 0;
     for (std::uint32_t i = s.grid->cell_begin(c); i < s.grid->cell_begin(c + 1); ++i)
       particles += active_[i];
@@ -56,7 +57,7 @@ void CoarsePressure::build(const StepContext& s, float delta) {
     // The last part keeps a body of liquid without any surface solvable.
     const float diagonal =
         around + std::max(0.f, lacking) + 1e-4f * lattice_conductance_ * particles;
-    conductance_[place(c, self)] = diagonal;
+    conductance_[CellNeighbourView::place(c, self)] = diagonal;
     inverse_diagonal_[c] = diagonal > 0 ? 1 / diagonal : 0.f;
   });
   attach_walls(s);
@@ -74,12 +75,13 @@ void CoarsePressure::find_active(const StepContext& s, float delta) {
 /// Links a cell with those that come after it in key order, both ways.
 void CoarsePressure::connect(const StepContext& s, std::uint32_t cell) {
   for (int slot = self + 1; slot < slots; ++slot) {
-    const std::int32_t at = neighbours_.at(cell, slot);
+    const std::int32_t at = neighbours_.view().at(cell, slot);
     if (at < 0)
       continue;
     const auto other = static_cast<std::uint32_t>(at);
-    conductance_[place(cell, slot)] = conductance_[place(other, slots - 1 - slot)] =
-        conductance_between(s, cell, other);
+    conductance_[CellNeighbourView::place(cell, slot)] =
+        conductance_[CellNeighbourView::place(other, slots - 1 - slot)] =
+            conductance_between(s, cell, other);
   }
 }
 
@@ -137,22 +139,9 @@ void CoarsePressure::attach_walls(const StepContext& s) {
         nearest_[k] = *j;
       }
     }
-    wet_cell_[k] = static_cast<std::uint32_t>(s.grid->first_cell_from(map_.key(x[nearest_[k]])));
+    wet_cell_[k] =
+        static_cast<std::uint32_t>(s.grid->view().first_cell_from(map_.key(x[nearest_[k]])));
   });
-}
-
-/// The operator's result in eight cells, from `cell` on, a multiple of eight.
-Lanes CoarsePressure::applied(std::uint32_t cell, const float* u) const {
-  const float* w = &conductance_[place(cell, 0)];
-  const auto conductance = [&](int slot) { return consecutive(w + slot * lane_count); };
-  Lanes sum = conductance(self) * consecutive(u + cell);
-  for (int row = 0; row < slots / 3; ++row) {
-    const auto other = neighbours_.row(cell, row);
-    for (int k = 0; k < 3; ++k)
-      if (3 * row + k != self)
-        sum -= conductance(3 * row + k) * load(u, other[static_cast<std::size_t>(k)]);
-  }
-  return sum;
 }
 
 /// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth.
@@ -163,7 +152,8 @@ void CoarsePressure::conjugate_gradients(Executor& executor) {
   direction_.fill(0);
   float *p = pressure_.data(), *r = residual_.data(), *d = direction_.data(),
         *image = image_.data();
-  const float* inverse = inverse_diagonal_.data();
+  const float *inverse = inverse_diagonal_.data(), *weights = conductance_.data();
+  const CellNeighbourView neighbours = neighbours_.view();
   /// Moves by a step along the direction; returns the residual's squared norm.
   const auto advance = [&](float step) {
     return executor
@@ -184,11 +174,8 @@ void CoarsePressure::conjugate_gradients(Executor& executor) {
                       [=](std::uint32_t c) { d[c] = r[c] * inverse[c] + beta * d[c]; });
     const double curvature = executor
                                  .reduce<Sum>("coarse pressure", count_,
-                                              [=, this](std::uint32_t c) {
-                                                if (c % lane_count == 0) {
-                                                  const Lanes eight = applied(c, d);
-                                                  __builtin_memcpy(image + c, &eight, sizeof eight);
-                                                }
+                                              [=](std::uint32_t c) {
+                                                neighbours.apply(c, weights, d, image);
                                                 return Sum{double{image[c]} * d[c]};
                                               })
                                  .value;
@@ -202,7 +189,7 @@ void CoarsePressure::conjugate_gradients(Executor& executor) {
 CoarsePressure::Around CoarsePressure::pressures_around(std::uint32_t cell) const {
   Around around;
   for (int t = 0; t < slots; ++t) {
-    const std::int32_t other = neighbours_.at(cell, t);
+    const std::int32_t other = neighbours_.view().at(cell, t);
     around[static_cast<std::size_t>(t)] =
         pressure_[other >= 0 ? static_cast<std::uint32_t>(other) : cell];
   }
@@ -214,4 +201,4 @@ std::size_t CoarsePressure::memory_bytes() const {
          5 * pressure_.memory_bytes() + (nearest_.capacity() + wet_cell_.capacity()) * 4;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -13,10 +13,10 @@
 #include <array>
 #include <vector>
 
-#include "sim/openmp/cell_neighbours.hpp"
+#include "sim/backend.hpp"
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class CoarsePressure {
  public:
@@ -42,7 +42,7 @@ class CoarsePressure {
   std::size_t memory_bytes() const;
 
  private:
-  static constexpr int slots = CellNeighbours::slots, self = CellNeighbours::self;
+  static constexpr int slots = CellNeighbourView::slots, self = CellNeighbourView::self;
   /// Of a cell and those around it, Pa; its own where there is none.
   using Around = std::array<float, slots>;
 
@@ -56,15 +56,9 @@ class CoarsePressure {
   float conductance_to_walls(const StepContext& s, std::uint32_t cell) const;
   void attach_walls(const StepContext& s);
   void conjugate_gradients(Executor& executor);
-  Lanes applied(std::uint32_t cell, const float* u) const;
   Around pressures_around(std::uint32_t cell) const;
   template <class Real>
   Real at(const Vec3<Real>& x, const Around& around) const;
-
-  /// Eight cells' numbers stand beside each other.
-  static std::size_t place(std::uint32_t cell, int slot) {
-    return (std::size_t{cell / lane_count} * slots + slot) * lane_count + cell % lane_count;
-  }
 
   GridMap map_;
   ConductanceKernel kernel_;
@@ -132,4 +126,4 @@ void CoarsePressure::at_particles(const StepContext& s, std::uint32_t cell, F f)
   }
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

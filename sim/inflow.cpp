@@ -7,7 +7,7 @@
 #include "sim/measure.hpp"
 #include "sim/particle_exchange.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// A particle is not brought where another's centre is closer than this, in spacings. In the middle
@@ -251,4 +251,4 @@ Exchange Inflow::advance(Particles& particles, Walls& walls, double time, double
   return exchange;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

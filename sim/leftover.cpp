@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Time over which what is left over is taken away, in √(H/g).
@@ -64,4 +64,4 @@ const float* Leftover::allow(Executor& executor, Particles& particles, const Cel
   return excess;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -7,12 +7,11 @@
 // divided by the step.
 #pragma once
 
-#include "sim/openmp/cell_grid.hpp"
-#include "sim/openmp/executor.hpp"
+#include "sim/backend.hpp"
 #include "sim/particles.hpp"
 #include "sim/settings.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Leftover {
  public:
@@ -38,4 +37,4 @@ class Leftover {
   float rate_ = 1;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 struct Totals {
@@ -62,4 +62,4 @@ Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighb
           .rms_pressure = std::sqrt(t.squared_pressure / count)};
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

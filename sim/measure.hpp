@@ -3,7 +3,7 @@
 
 #include "sim/neighbourhood.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 struct Measured {
   double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) over the particles
@@ -23,4 +23,4 @@ double energy_of(const FluidConstants& constants, const Settings& settings,
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
                  const FluidConstants& constants, const Settings& settings, float radius);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -6,7 +6,7 @@
 #include "sim/contact.hpp"
 #include "sim/shapes.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Samples that lie as deep as another solid's own layer count as at the same place within this
@@ -152,7 +152,7 @@ bool MovingBodies::may_meet_another(std::size_t sample, const Vec3<float>& p) co
 }
 
 void MovingBodies::share_places() {
-  const CellGrid& grid = boundary_.grid();
+  const CellGridView grid = boundary_.grid().view();
   const Vec3Arrays x = boundary_.positions();
   const float spacing = settings_.fluid.spacing;
   RowCursors cursors(map_, grid);
@@ -262,4 +262,4 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
       .value;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

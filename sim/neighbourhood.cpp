@@ -1,6 +1,6 @@
 #include "sim/neighbourhood.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 void Neighbourhood::update(Executor& executor, Particles& particles, float radius) {
   const std::uint32_t n = particles.count;
@@ -54,4 +54,4 @@ std::size_t Neighbourhood::memory_bytes() const {
          wet_lists_.memory_bytes() + wet_.capacity() * sizeof(std::uint32_t);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

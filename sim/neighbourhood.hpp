@@ -1,11 +1,11 @@
 // Keeps the particles sorted by cell and their neighbour lists up to date.
 #pragma once
 
+#include "sim/backend.hpp"
 #include "sim/boundary.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Neighbourhood {
  public:
@@ -45,4 +45,4 @@ class Neighbourhood {
   std::vector<std::uint32_t> wet_;  ///< boundary samples with fluid neighbours
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -4,7 +4,7 @@
 #include "sim/measure.hpp"
 #include "sim/particle_exchange.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 bool is_outside(const Vec3<float>& p, const Box& box) {
@@ -74,4 +74,4 @@ Exchange Outflow::apply(Executor& executor, Particles& particles, const float* h
   return exchange;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

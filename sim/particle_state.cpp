@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 void set_particles(Particles& particles, const InitialParticles& initial) {
   const auto n = static_cast<std::uint32_t>(initial.positions.size());
@@ -47,4 +47,4 @@ float largest_speed(Executor& executor, Particles& particles) {
                        .value);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -6,7 +6,7 @@
 #include "sim/coarse_pressure.hpp"
 #include "sim/lattice.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Part of the last step's pressure that the iteration starts from. Less costs iterations; with all
@@ -246,4 +246,4 @@ std::unique_ptr<PressureSolver> make_pcisph(const SolverSettings& settings,
   return std::make_unique<Pcisph<CubicKernel>>(settings, constants, CubicKernel(radius));
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -7,7 +7,7 @@
 
 #include "sim/pcisph.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Sweeps after which there is taken to be no room for the liquid.
@@ -167,4 +167,4 @@ int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhoo
       .run();
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -1,12 +1,12 @@
 // What a pressure solver is given and what it answers.
 #pragma once
 
+#include "sim/backend.hpp"
 #include "sim/contact.hpp"
 #include "sim/formulas.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// One time step after all but pressure has been applied: particles have drifted to where they
 /// would be.
@@ -63,4 +63,4 @@ class PressureSolver {
   virtual std::size_t memory_bytes() const { return 0; }
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/lattice.hpp"
 #include "sim/velocity_change.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 TensionView view_of(const FluidConstants& c) {
@@ -28,14 +27,6 @@ TensionView view_of(const FluidConstants& c) {
 }
 
 }  // namespace
-
-TensionKernel::TensionKernel(float spacing, float support_radius)
-    : inverse_squared_radius(1 / (support_radius * support_radius)) {
-  double sum = 0;
-  for_lattice_points(spacing, support_radius,
-                     [&](const Vec3<float>& p) { sum += std::pow(double{reach(dot(p, p))}, 3); });
-  scale = static_cast<float>(1 / sum);
-}
 
 SurfaceTension::SurfaceTension(const FluidConstants& constants) : view_(view_of(constants)) {}
 
@@ -63,4 +54,4 @@ float SurfaceTension::time_step_limit(const FluidConstants& c) {
   return 0.3f * std::sqrt(c.rest_density * d * d * d / c.surface_tension);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -5,7 +5,7 @@
 
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Adds the velocity changes that stand in `acceleration`, m/s, to the drifted velocities, and
 /// moves the drifted positions on by them. What a nozzle moves is left alone.
@@ -29,4 +29,4 @@ inline bool change_velocities(const StepContext& s, std::string_view name) {
   return std::sqrt(squared_move.value) > largest_move * s.constants.support_radius;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -6,7 +6,7 @@
 #include "sim/lattice.hpp"
 #include "sim/velocity_change.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
@@ -112,4 +112,4 @@ void Viscosity::implicit_step(const StepContext& s) {
   }
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

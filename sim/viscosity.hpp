@@ -4,7 +4,7 @@
 
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Viscosity {
  public:
@@ -30,4 +30,4 @@ class Viscosity {
   VectorField residual_, image_;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

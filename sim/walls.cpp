@@ -6,7 +6,7 @@
 #include "sim/motion.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 Walls::Walls(const Settings& settings, const GridMap& map, float radius)
     : fixed_(without_moving(settings)),
@@ -60,4 +60,4 @@ std::size_t Walls::memory_bytes() const {
   return boundary_.memory_bytes() + (moving_ ? moving_->memory_bytes() : 0);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

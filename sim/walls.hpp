@@ -9,7 +9,7 @@
 #include "sim/contact.hpp"
 #include "sim/moving_bodies.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Walls {
  public:
@@ -45,4 +45,4 @@ class Walls {
   std::unique_ptr<MovingBodies> moving_;  ///< null where nothing moves
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

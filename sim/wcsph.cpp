@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// p = ρ₀c²/γ ((ρ/ρ₀)^γ − 1), Tait's equation as in Monaghan 2005, eq. 4.3, with γ = 7; no tension.
@@ -84,4 +84,4 @@ std::unique_ptr<PressureSolver> make_wcsph(const SolverSettings& settings,
                                               CubicKernel(radius));
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND
