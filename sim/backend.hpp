@@ -13,6 +13,7 @@
 #include "sim/device/cell_neighbours.hpp"
 #include "sim/device/executor.hpp"
 #include "sim/device/neighbours.hpp"
+#include "sim/device/obstacles.hpp"
 #else
 #define SPINDRIFT_BACKEND openmp
 #include "sim/openmp/arrays.hpp"
@@ -20,4 +21,5 @@
 #include "sim/openmp/cell_neighbours.hpp"
 #include "sim/openmp/executor.hpp"
 #include "sim/openmp/neighbours.hpp"
+#include "sim/openmp/obstacles.hpp"
 #endif

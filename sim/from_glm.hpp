@@ -7,7 +7,7 @@
 
 namespace spindrift::sim {
 
-inline Vec3<float> from_glm(glm::vec3 v) {
+SPINDRIFT_HD inline Vec3<float> from_glm(glm::vec3 v) {
   return {v.x, v.y, v.z};
 }
 

@@ -26,15 +26,15 @@ constexpr double full_rate_time = 0.04, least_rate = 0.5;
 void Leftover::note(Executor& executor, Particles& particles, const float* held) {
   const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
   float* compression = particles.compression.resized(particles.count);
-  executor.for_each("leftover", particles.count, [=](std::uint32_t i) {
+  executor.for_each("leftover", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     const bool carried = held != nullptr && held[i] > 0;
     const float c = carried ? 0 : ratio[i] - 1;
     compression[i] = pressure[i] > 0 ? c : std::max(0.f, c);
   });
 }
 
-const float* Leftover::allow(Executor& executor, Particles& particles, const CellGrid& grid,
-                             double dt, int refusals, float acceleration) {
+const float* Leftover::allow(Executor& executor, Particles& particles, CellGridView grid, double dt,
+                             int refusals, float acceleration) {
   // Where nothing falls, there is no such time.
   const double fall = std::sqrt(double{support_radius_} / acceleration);
   const double taken = std::min(1., dt / std::min(20 * dt, release_time * fall));
@@ -48,8 +48,8 @@ const float* Leftover::allow(Executor& executor, Particles& particles, const Cel
               most_together = largest_together * settings_.mean_compression;
   const float* compression = particles.compression.data();
   float* excess = particles.excess.resized(particles.count);
-  executor.for_each("leftover", static_cast<std::uint32_t>(grid.cell_count()),
-                    [&](std::uint32_t k) {
+  executor.for_each("leftover", static_cast<std::uint32_t>(grid.cell_count),
+                    [=] SPINDRIFT_HD(std::uint32_t k) {
                       const std::uint32_t begin = grid.cell_begin(k), end = grid.cell_begin(k + 1);
                       float sum = 0;
                       for (std::uint32_t i = begin; i < end; ++i)

@@ -25,7 +25,7 @@ class Leftover {
 
   /// Compression that a step of length dt, s, tried for the given time, may leave, per particle.
   /// @param acceleration of the body, m/s²
-  const float* allow(Executor& executor, Particles& particles, const CellGrid& grid, double dt,
+  const float* allow(Executor& executor, Particles& particles, CellGridView grid, double dt,
                      int refusals, float acceleration);
 
   /// Part of the tolerance that the step may add.

@@ -9,7 +9,7 @@ namespace {
 struct Totals {
   double compression = 0, squared_speed = 0, height = 0, squared_pressure = 0;
   float max_compression = 0;
-  void join(const Totals& o) {
+  SPINDRIFT_HD void join(const Totals& o) {
     compression += o.compression;
     squared_speed += o.squared_speed;
     height += o.height;
@@ -38,7 +38,8 @@ double energy_of(const FluidConstants& constants, const Settings& settings,
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
                  const FluidConstants& constants, const Settings& settings, float radius) {
   const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
-  executor.for_each("measure", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
+  executor.for_each("measure", particles.count,
+                    [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
   neighbourhood.update(executor, particles, radius);
   const CubicKernel kernel(constants.support_radius);
   const NeighbourView neighbours = neighbourhood.fluid();
@@ -47,12 +48,14 @@ Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighb
   const float* pressure = particles.pressure.data();
   float* ratio = particles.density_ratio.data();
   const Vec3<float> down = from_glm(settings.forces.gravity), origin = lowest_corner(settings);
-  const Totals t = executor.reduce<Totals>("measure", particles.count, [&](std::uint32_t i) {
-    ratio[i] = density_ratio(i, constants, kernel, position, neighbours, solid);
+  const FluidConstants c = constants;
+  const auto measure_one = [=] SPINDRIFT_HD(std::uint32_t i) {
+    ratio[i] = density_ratio(i, c, kernel, position, neighbours, solid);
     const float error = std::max(0.f, ratio[i] - 1.f);
     const double p = pressure[i];
     return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), p * p, error};
-  });
+  };
+  const auto t = executor.reduce<Totals>("measure", particles.count, measure_one);
   const double mass = double{constants.rest_density} * constants.volume;
   const double count = std::max(1u, particles.count);
   return {.mean_compression = t.compression / count,

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact.hpp"
 #include "sim/shapes.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
@@ -245,7 +245,7 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
   const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
   const float* pressure = particles.step_pressure.data();
   return executor
-      .reduce<Sum>("wall work", boundary.wet_count,
+      .reduce_on_host<Sum>("wall work", boundary.wet_count,
                    [&](std::uint32_t k) {
                      const std::uint32_t b = boundary.wet[k];
                      const Vec3<float> way = time_step * boundary.velocity[b];

@@ -1,8 +1,8 @@
 #include "sim/outflow.hpp"
 
-#include "sim/contact.hpp"
 #include "sim/measure.hpp"
 #include "sim/particle_exchange.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
@@ -53,7 +53,7 @@ Exchange Outflow::apply(Executor& executor, Particles& particles, const float* h
   const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
   gone_.resize(particles.count);
   const bool any = executor
-                       .reduce<Found>("outflow", particles.count,
+                       .reduce_on_host<Found>("outflow", particles.count,
                                       [&](std::uint32_t i) {
                                         const bool carried = held != nullptr && held[i] > 0;
                                         gone_[i] = carried ? stays : way_of(x[i]);

@@ -54,6 +54,8 @@ struct PhaseTime {
   std::int64_t calls = 0;
 };
 
+class Engine;
+
 class Simulation {
  public:
   /// Fills the volumes and samples the walls. @throws std::invalid_argument when nothing can be
@@ -77,8 +79,7 @@ class Simulation {
   std::vector<PhaseTime> phase_times() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace spindrift::sim

@@ -37,14 +37,18 @@ bool SurfaceTension::apply(const StepContext& s) {
   gradient_.resize(n);
   view_.gradient = gradient_.view();
   const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view();
-  s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
-    const Colour<float> c = colour(i, s.constants, view_, x, s.neighbours, s.boundary);
-    view_.lack[i] = std::max(0.f, 1 - c.value);
-    view_.gradient.set(i, c.gradient);
+  const StepView step = s.view();
+  const TensionView view = view_;
+  const float kick = s.kick;
+  s.executor.for_each("surface tension", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Colour<float> c = colour(i, step.constants, view, x, step.neighbours, step.boundary);
+    view.lack[i] = std::max(0.f, 1 - c.value);
+    view.gradient.set(i, c.gradient);
   });
-  s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
-    dv.set(i, s.is_held(i) ? Vec3<float>{0, 0, 0}
-                           : s.kick * tension_acceleration(i, view_, x, s.neighbours, s.boundary));
+  s.executor.for_each("surface tension", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    dv.set(i, step.is_held(i)
+                  ? Vec3<float>{0, 0, 0}
+                  : kick * tension_acceleration(i, view, x, step.neighbours, step.boundary));
   });
   return change_velocities(s, "apply surface tension");
 }

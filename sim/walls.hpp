@@ -42,6 +42,7 @@ class Walls {
  private:
   Settings fixed_;  ///< without the obstacles that move
   Boundary boundary_;
+  Array<Solid> solids_;                   ///< what is fixed, but for the domain
   std::unique_ptr<MovingBodies> moving_;  ///< null where nothing moves
 };
 

@@ -33,6 +33,13 @@ class Executor {
       f(i);
   }
 
+  template <class T, class F>
+  T reduce_on_host(std::string_view name, Index n, F f) {
+    T total;
+    for_each_on_host(name, n, [&](Index i) { total.join(f(i)); });
+    return total;
+  }
+
   /// Like for_each, and joins what f returns, in an order that depends on n and the kind of device
   /// only. T needs `void join(const T&)`.
   template <class T, class F>

@@ -1,6 +1,5 @@
 #include "sim/device/memory.hpp"
 
-
 #include <algorithm>
 #include <cstring>
 #include <new>

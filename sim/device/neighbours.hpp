@@ -61,6 +61,13 @@ class RunSum {
   float total_ = 0;
 };
 
+/// use(j, value_at(j)) for j in [begin, end).
+template <class Value, class F>
+SPINDRIFT_HD void for_run(std::uint32_t begin, std::uint32_t end, Value value_at, F use) {
+  for (std::uint32_t j = begin; j < end; ++j)
+    use(j, value_at(j));
+}
+
 class NeighbourLists {
  public:
   /// Lists, for each of the `count` sorted points of `grid`, the points of `other_grid` within

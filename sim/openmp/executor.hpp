@@ -63,6 +63,11 @@ class Executor {
     return total;
   }
 
+  template <class T, class F>
+  T reduce_on_host(std::string_view name, Index n, F f) {
+    return reduce<T>(name, n, f);
+  }
+
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<Index>& chosen, F f) {
@@ -83,6 +88,10 @@ class Executor {
 
   /// Until particles may be looked at outside of loops.
   void wait() const {}
+
+  std::size_t memory_bytes() const {
+    return 0;
+  }
 
   PhaseClock& clock() {
     return clock_;

@@ -76,6 +76,16 @@ class RunSum {
   Lanes total_{};
 };
 
+/// use(j, value_at(j)) for j in [begin, end); eight values are found at once.
+template <class Value, class F>
+void for_run(std::uint32_t begin, std::uint32_t end, Value value_at, F use) {
+  for (std::uint32_t j = begin; j < end; j += lane_count) {
+    const Lanes values = value_at(LaneRun{j});
+    for (std::uint32_t k = 0; k < lane_count && j + k < end; ++k)
+      use(j + k, values[k]);
+  }
+}
+
 class NeighbourLists {
  public:
   /// Lists, for each of the `count` sorted points of `grid`, the points of `other_grid` within
