@@ -27,6 +27,7 @@ struct Typed {
   std::string from_particles;
   std::vector<std::string> exports;
   Overrides overrides;
+  std::string backend;
   int threads = 0;
   bool no_cache = false;
   bool quiet = false;
@@ -42,6 +43,14 @@ struct Typed {
   bool plane = false, scaling = false, threads_scaling = false;
 };
 
+/// What --set says, and options that stand for it.
+Overrides all_overrides(const Typed& typed) {
+  Overrides all = typed.overrides;
+  if (!typed.backend.empty())
+    all.push_back("solver.backend=" + typed.backend);
+  return all;
+}
+
 /// Misuse of the command line; the message is for people.
 class UsageError : public std::runtime_error {
  public:
@@ -49,6 +58,8 @@ class UsageError : public std::runtime_error {
 };
 
 void add_common_options(CLI::App& command, Typed& typed) {
+  const std::vector<std::string> backends(value_names<sim::Backend>.begin(),
+                                          value_names<sim::Backend>.end());
   command.add_option("--set", typed.overrides, "Set a scene's value, as in fluid.viscosity=0.05")
       ->type_name("KEY=VALUE")
       ->expected(1)
@@ -56,6 +67,11 @@ void add_common_options(CLI::App& command, Typed& typed) {
   command.add_option("--threads", typed.threads, "Threads; all of the machine's if left out")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--backend", typed.backend,
+                  fmt::format("What computes, as solver.backend: {}", fmt::join(backends, ", ")))
+      ->type_name("NAME")
+      ->check(CLI::IsMember(backends));
   command.add_flag("--quiet", typed.quiet, "Print nothing but errors");
   command.add_flag("--json", typed.json, "Print for machines");
 }
@@ -165,7 +181,7 @@ std::string command_as_typed(int argc, const char* const* argv) {
 }
 
 int run_typed_render(const Typed& typed, bool simulate_only, const std::string& hint) {
-  const Scene scene = read_scene(typed.scene, typed.overrides);
+  const Scene scene = read_scene(typed.scene, all_overrides(typed));
   const auto exports = [&](std::string_view what) {
     return std::find(typed.exports.begin(), typed.exports.end(), what) != typed.exports.end();
   };
@@ -202,7 +218,7 @@ int run_typed_bench(const Typed& typed) {
   BenchPlan& plan = options.plan;
   plan = default_plan(typed.quick);
   plan.scenes.assign(typed.scenes.begin(), typed.scenes.end());
-  plan.overrides = typed.overrides;
+  plan.overrides = all_overrides(typed);
   plan.plane = typed.plane || !chosen;
   plan.particle_scaling = typed.scaling;
   plan.thread_scaling = typed.threads_scaling;
@@ -309,7 +325,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
     return run_typed_render(typed, simulate->parsed(), command_as_typed(argc, argv));
   }
   if (check->parsed()) {
-    return run_check(read_scene(typed.scene, typed.overrides), typed.threads, typed.quiet,
+    return run_check(read_scene(typed.scene, all_overrides(typed)), typed.threads, typed.quiet,
                      typed.json);
   }
   if (bench->parsed()) {

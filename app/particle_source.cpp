@@ -119,6 +119,7 @@ void ParticleSource::finish(RunRecord& record) const {
   record.frames_simulated = simulated_;
   if (!simulation_)
     return;
+  record.backend = simulation_->backend();
   record.boundary_particles = simulation_->boundary_particle_count();
   record.simulation_bytes = simulation_->memory_bytes();
   record.simulation_phases = simulation_->phase_times();

@@ -37,5 +37,6 @@ add_library(spindrift_cuda_options INTERFACE)
 target_compile_definitions(spindrift_cuda_options INTERFACE SPINDRIFT_DEVICE)
 target_compile_options(spindrift_cuda_options INTERFACE
   --extended-lambda --expt-relaxed-constexpr --fmad=false -Werror=all-warnings
+  -diag-suppress=20012  # GLM's, which mark defaulted functions
   -Xcompiler=-Wall,-Wextra,-Wshadow,-Wconversion,-Wno-sign-conversion,-Werror,-fopenmp,-ffp-contract=off,-fno-math-errno)
 target_include_directories(spindrift_cuda_options INTERFACE ${PROJECT_SOURCE_DIR})

@@ -246,19 +246,19 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
   const float* pressure = particles.step_pressure.data();
   return executor
       .reduce_on_host<Sum>("wall work", boundary.wet_count,
-                   [&](std::uint32_t k) {
-                     const std::uint32_t b = boundary.wet[k];
-                     const Vec3<float> way = time_step * boundary.velocity[b];
-                     if (dot(way, way) == 0)
-                       return Sum{};
-                     Vec3<float> force =
-                         kernel == PressureKernel::spiky
-                             ? pressure_force(b, constants, spiky, x, pressure, boundary)
-                             : pressure_force(b, constants, cubic, x, pressure, boundary);
-                     if (boundary.wall_viscosity[b] > 0)
-                       force += friction_force(b, diffusion, x, v, boundary);
-                     return Sum{double{dot(force, way)}};
-                   })
+                           [&](std::uint32_t k) {
+                             const std::uint32_t b = boundary.wet[k];
+                             const Vec3<float> way = time_step * boundary.velocity[b];
+                             if (dot(way, way) == 0)
+                               return Sum{};
+                             Vec3<float> force =
+                                 kernel == PressureKernel::spiky
+                                     ? pressure_force(b, constants, spiky, x, pressure, boundary)
+                                     : pressure_force(b, constants, cubic, x, pressure, boundary);
+                             if (boundary.wall_viscosity[b] > 0)
+                               force += friction_force(b, diffusion, x, v, boundary);
+                             return Sum{double{dot(force, way)}};
+                           })
       .value;
 }
 

@@ -54,11 +54,11 @@ Exchange Outflow::apply(Executor& executor, Particles& particles, const float* h
   gone_.resize(particles.count);
   const bool any = executor
                        .reduce_on_host<Found>("outflow", particles.count,
-                                      [&](std::uint32_t i) {
-                                        const bool carried = held != nullptr && held[i] > 0;
-                                        gone_[i] = carried ? stays : way_of(x[i]);
-                                        return Found{gone_[i] != stays};
-                                      })
+                                              [&](std::uint32_t i) {
+                                                const bool carried = held != nullptr && held[i] > 0;
+                                                gone_[i] = carried ? stays : way_of(x[i]);
+                                                return Found{gone_[i] != stays};
+                                              })
                        .any;
   Exchange exchange;
   if (!any)

@@ -1,13 +1,38 @@
 #include "sim/simulation.hpp"
 
+#include <stdexcept>
+
 #include "sim/engine.hpp"
+#ifdef SPINDRIFT_CUDA
+#include "sim/device/device_engine.hpp"
+#endif
 
 namespace spindrift::sim {
+namespace {
 
-Simulation::Simulation(const Settings& settings) : engine_(make_engine(settings)) {}
+/// @throws std::invalid_argument when CUDA is asked for and cannot run the settings
+template <class... Start>
+std::unique_ptr<Engine> engine_for(const BackendChoice& choice, const Settings& settings,
+                                   const Start&... start) {
+  if (choice.backend == Backend::cuda) {
+    const std::string why_not = why_not_cuda(settings);
+    if (!why_not.empty())
+      throw std::invalid_argument("solver.backend is \"cuda\", but " + why_not +
+                                  "; ask for \"cpu\" or \"auto\"");
+#ifdef SPINDRIFT_CUDA
+    return make_device_engine(settings, start...);
+#endif
+  }
+  return make_engine(settings, start...);
+}
+
+}  // namespace
+
+Simulation::Simulation(const Settings& settings)
+    : backend_(choose_backend(settings)), engine_(engine_for(backend_, settings)) {}
 
 Simulation::Simulation(const Settings& settings, const Frame& start)
-    : engine_(make_engine(settings, start)) {}
+    : backend_(choose_backend(settings)), engine_(engine_for(backend_, settings, start)) {}
 
 Simulation::~Simulation() = default;
 

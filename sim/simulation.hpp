@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/backend_choice.hpp"
 #include "sim/exchange.hpp"
 #include "sim/settings.hpp"
 
@@ -73,12 +74,14 @@ class Simulation {
   FrameStatistics advance_to(double time, const std::atomic<bool>* stop = nullptr);
 
   Frame frame() const;
+  const BackendChoice& backend() const { return backend_; }
   std::size_t particle_count() const;
   std::size_t boundary_particle_count() const;
   std::size_t memory_bytes() const;
   std::vector<PhaseTime> phase_times() const;
 
  private:
+  BackendChoice backend_;
   std::unique_ptr<Engine> engine_;
 };
 

@@ -11,6 +11,14 @@
 
 namespace spindrift::sim::inline device {
 
+template <class T>
+struct Join {
+  SPINDRIFT_HD T operator()(T a, const T& b) const {
+    a.join(b);
+    return a;
+  }
+};
+
 class Executor {
  public:
   using Index = std::uint32_t;
@@ -77,14 +85,6 @@ class Executor {
   }
 
  private:
-  template <class T>
-  struct Join {
-    SPINDRIFT_HD T operator()(T a, const T& b) const {
-      a.join(b);
-      return a;
-    }
-  };
-
   PhaseClock clock_;
   Scratch scratch_;
   Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
