@@ -14,7 +14,7 @@ namespace spindrift::app {
 namespace {
 
 /// Changes whenever the layout of the file does.
-constexpr std::array<char, 8> magic = {'S', 'P', 'N', 'D', 'F', 'R', 'M', '3'};
+constexpr std::array<char, 8> magic = {'S', 'P', 'N', 'D', 'F', 'R', 'M', '4'};
 
 struct Header {
   std::array<char, 8> magic;
@@ -33,6 +33,7 @@ void for_each_array(Frame& frame, F f) {
   f(frame.velocities);
   f(frame.densities);
   f(frame.pressures);
+  f(frame.multipliers);
   f(frame.ids);
   f(frame.boundary_pressures);
 }
@@ -64,7 +65,7 @@ KeptFrame ParticleCache::read(int number) const {
   frame.time = header.time;
   frame.last_time_step = header.last_time_step;
   const std::uintmax_t size = std::filesystem::file_size(name);
-  const std::uint64_t per_particle = 2 * sizeof(glm::vec3) + 3 * sizeof(float);
+  const std::uint64_t per_particle = 2 * sizeof(glm::vec3) + 4 * sizeof(float);
   if (header.particles > size || header.boundary_samples > size ||
       size !=
           sizeof header + header.particles * per_particle + header.boundary_samples * sizeof(float))

@@ -102,7 +102,6 @@ class AndersonAcceleration {
             before_weight_};
   }
 
-  const float* residuals() const { return residuals_[0].data(); }  ///< the present ones
   std::size_t memory_bytes() const { return 2 * (memory + 1) * iterates_[0].memory_bytes(); }
 
  private:

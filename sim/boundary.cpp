@@ -127,6 +127,8 @@ Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& u
   measure_solids(settings, samples, kernel, radius);
   pressure_.resize(count_);
   step_pressure_.resize(count_);
+  compression_.resize(count_);
+  mean_pressure_.resize(count_);
   const auto has_its_own = [](const SurfaceSample& s) { return s.wall_viscosity.has_value(); };
   if (std::any_of(samples.begin(), samples.end(), has_its_own)) {
     wall_viscosity_.resize(count_);
@@ -142,6 +144,8 @@ Boundary::Sample Boundary::sample(std::uint32_t b) const {
           .solid = solid_[b],
           .wall_viscosity = wall_viscosity_.empty() ? 0 : wall_viscosity_[b],
           .pressure = pressure_[b],
+          .compression = compression_[b],
+          .mean_pressure = mean_pressure_[b],
           .velocity = {0, 0, 0}};
 }
 
@@ -149,7 +153,8 @@ void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
   count_ = static_cast<std::uint32_t>(samples.size());
   position_.resize(count_);
   velocity_.resize(count_);
-  for (ScalarField* f : {&volume_, &solid_, &pressure_, &step_pressure_, &wall_viscosity_})
+  for (ScalarField* f : {&volume_, &solid_, &pressure_, &step_pressure_, &mean_pressure_,
+                         &compression_, &wall_viscosity_})
     f->resize(count_);
   const Vec3Arrays x = position_.view(), v = velocity_.view();
   for (std::uint32_t i = 0; i < count_; ++i)
@@ -163,6 +168,8 @@ void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
     solid_[i] = s.solid;
     wall_viscosity_[i] = s.wall_viscosity;
     pressure_[i] = s.pressure;
+    compression_[i] = s.compression;
+    mean_pressure_[i] = s.mean_pressure;
   }
   place_sentinel(position_, count_);
 }
@@ -268,7 +275,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
 }
 
 std::size_t Boundary::memory_bytes() const {
-  return position_.memory_bytes() + 4 * volume_.memory_bytes() + grid_.memory_bytes() +
+  return position_.memory_bytes() + 6 * volume_.memory_bytes() + grid_.memory_bytes() +
          wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
 }
 

@@ -27,6 +27,8 @@ class Boundary {
     float solid;
     float wall_viscosity;  ///< Pa·s
     float pressure;        ///< Pa
+    float compression;     ///< left over by the last step
+    float mean_pressure;   ///< Pa·s
     Vec3<float> velocity;  ///< m/s
   };
   Sample sample(std::uint32_t b) const;
@@ -50,7 +52,9 @@ class Boundary {
   Vec3Arrays velocities() { return velocity_.view(); }
   ScalarField& pressures() { return pressure_; }
   const ScalarField& pressures() const { return pressure_; }
+  ScalarField& mean_pressures() { return mean_pressure_; }
   ScalarField& step_pressures() { return step_pressure_; }
+  ScalarField& compressions() { return compression_; }
   /// Changes how much a sample stands for: nothing where a nozzle opens the wall.
   void set_sample(std::uint32_t b, float volume, float solid) {
     volume_[b] = volume;
@@ -70,6 +74,8 @@ class Boundary {
   ScalarField solid_;           ///< density ratio that the solid behind a sample makes up for
   ScalarField pressure_;        ///< Pa, lasts from step to step
   ScalarField step_pressure_;   ///< Pa, within a step
+  ScalarField compression_;     ///< left over by the last step
+  ScalarField mean_pressure_;   ///< sum of pressure times time since the last frame, Pa·s
   ScalarField wall_viscosity_;  ///< Pa·s; empty where all have the fluid's
   VectorField velocity_;        ///< m/s; empty where nothing moves
   CellGrid grid_;

@@ -12,6 +12,10 @@ namespace {
 /// density than its pressure can hold it up, by this ratio.
 constexpr float slack = 0.03f;
 
+/// What a disordered neighbourhood lacks of the lattice's conductance is no surface. Counted as
+/// one, it would let pressure leak away within some twenty spacings, and a tall column fall.
+constexpr float disorder = 0.03f;
+
 constexpr int slots = CellNeighbourView::slots, self = CellNeighbourView::self;
 
 /// What conductances are found from.
@@ -127,7 +131,7 @@ void CoarsePressure::find_conductances(const StepContext& s) {
           conductance[CellNeighbourView::place(other, slots - 1 - t)] = pairs.between(c, other);
     }
   });
-  const float full = lattice_conductance_, volume = s.constants.volume;
+  const float of_lattice = lattice_conductance_, volume = s.constants.volume;
   s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
     float around = 0;
     for (int t = 0; t < slots; ++t)
@@ -136,9 +140,10 @@ void CoarsePressure::find_conductances(const StepContext& s) {
     for (std::uint32_t i = pairs.grid.cell_begin(c); i < pairs.grid.cell_begin(c + 1); ++i)
       particles += pairs.active[i];
     const float inside = pairs.between(c, c);
-    const float lacking = full * particles - inside - around - pairs.to_walls(c) / volume;
+    const float full = of_lattice * particles;
+    const float lacking = full - inside - around - pairs.to_walls(c) / volume;
     // The last part keeps a body of liquid without any surface solvable.
-    const float diagonal = around + std::max(0.f, lacking) + 1e-4f * full * particles;
+    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
     conductance[CellNeighbourView::place(c, self)] = diagonal;
     inverse_diagonal[c] = diagonal > 0 ? 1 / diagonal : 0.f;
   });
@@ -166,33 +171,6 @@ void CoarsePressure::attach_walls(const StepContext& s) {
     nearest[k] = found;
     wet_cell[k] = grid.first_cell_from(map.key(x[found]));
   });
-}
-
-void CoarsePressure::solve(const StepContext& s, const float* residuals) {
-  const CellGridView grid = s.grid;
-  const BoundaryView solid = s.boundary;
-  const float* active = active_.data();
-  const std::uint32_t n = s.particles.count;
-  const std::uint32_t* wet_cell = wet_cell_.data();
-  const float volume = s.constants.volume;
-  float *sums = residual_.data(), *pressure = pressure_.data();
-  s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
-    float sum = 0;
-    for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i)
-      sum += active[i] * residuals[i];
-    sums[c] = sum;
-  });
-  s.executor.add_at_places(
-      "coarse pressure", solid.wet_count, sums, count_,
-      [=] SPINDRIFT_HD(std::uint32_t k) { return wet_cell[k]; },
-      [=] SPINDRIFT_HD(std::uint32_t k) {
-        return solid.volume[solid.wet[k]] / volume * residuals[n + k];
-      });
-  conjugate_gradients(s.executor);
-  const float scale = gain * aggregate_factor_ / s.map->inverse_cell * s.constants.rest_density /
-                      (s.time_step * s.time_step);
-  s.executor.for_each("coarse pressure", count_,
-                      [=] SPINDRIFT_HD(std::uint32_t c) { pressure[c] *= scale; });
 }
 
 /// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth.

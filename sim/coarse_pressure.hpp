@@ -10,6 +10,7 @@
 // B-splines, which leave no kinks for the particles to mend.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "sim/backend.hpp"
@@ -83,9 +84,18 @@ class CoarsePressure {
   /// @param delta pressure per density ratio, δ, Pa
   void build(const StepContext& s, float delta);
 
-  /// Finds the pressure per cell that takes away the residuals: ρ/ρ₀ − 1 of each particle, then of
-  /// the wet boundary samples.
-  void solve(const StepContext& s, const float* residuals);
+  /// What is wrong at a particle or a wet boundary sample, in density ratios.
+  struct Error {
+    float compression;  ///< ρ/ρ₀ − 1
+    float held_up;      ///< how far pressure can hold ρ/ρ₀ below what is wanted, p/δ
+  };
+
+  /// The pressure per cell, Pa, that takes away the errors: error(k) is that of particle k for
+  /// k < count, then of the wet boundary samples. A cell's errors are added up with their signs,
+  /// and only their sum is bounded by what there is of pressure: else the scatter of single
+  /// particles would look like compression of the whole, and throw a tall column up.
+  template <class F>
+  void solve(const StepContext& s, F error);
 
   /// Of the particles and samples that the last build() was for.
   CoarseView view() const { return view_; }
@@ -99,9 +109,9 @@ class CoarsePressure {
   void conjugate_gradients(Executor& executor);
 
  private:
-  /// Part of the solution that is applied. Pressure outlasts the step in the warm start, and with
-  /// more than about 1.15 times what is needed the steps would swing from one side to the other.
-  static constexpr float gain = 0.45f;
+  /// Part of the solution that is applied. Pressure outlasts the step in the warm start, so that
+  /// with much more the steps swing from one side to the other.
+  static constexpr float gain = 0.3f;
 
   ConductanceKernel kernel_;
   float lattice_conductance_;  ///< Σ w over a full lattice, the particle itself included, 1/m²
@@ -116,5 +126,43 @@ class CoarsePressure {
   ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
   Array<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
 };
+
+template <class F>
+void CoarsePressure::solve(const StepContext& s, F error) {
+  const CellGridView grid = s.grid;
+  const BoundaryView solid = s.boundary;
+  const float* active = active_.data();
+  const std::uint32_t n = s.particles.count;
+  const std::uint32_t* wet_cell = wet_cell_.data();
+  const float volume = s.constants.volume;
+  float *residual = residual_.data(), *pressure = pressure_.data(), *held_up = image_.data();
+  s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    Error sum{0, 0};
+    for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i) {
+      const Error e = error(i);
+      sum.compression += active[i] * e.compression;
+      sum.held_up += active[i] * e.held_up;
+    }
+    residual[c] = sum.compression;
+    held_up[c] = sum.held_up;
+  });
+  const auto cell_of = [=] SPINDRIFT_HD(std::uint32_t k) { return wet_cell[k]; };
+  s.executor.add_at_places("coarse pressure", solid.wet_count, residual, count_, cell_of,
+                           [=] SPINDRIFT_HD(std::uint32_t k) {
+                             return solid.volume[solid.wet[k]] / volume * error(n + k).compression;
+                           });
+  s.executor.add_at_places("coarse pressure", solid.wet_count, held_up, count_, cell_of,
+                           [=] SPINDRIFT_HD(std::uint32_t k) {
+                             return solid.volume[solid.wet[k]] / volume * error(n + k).held_up;
+                           });
+  s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    residual[c] = std::max(residual[c], -held_up[c]);
+  });
+  conjugate_gradients(s.executor);
+  const float scale = gain * aggregate_factor_ / s.map->inverse_cell * s.constants.rest_density /
+                      (s.time_step * s.time_step);
+  s.executor.for_each("coarse pressure", count_,
+                      [=] SPINDRIFT_HD(std::uint32_t c) { pressure[c] *= scale; });
+}
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -60,6 +60,8 @@ struct Run final : Engine {
   std::unique_ptr<PressureSolver> solver;
   TimeStepControl time_step;
   double time = 0;
+  double frame_end = 0;    ///< s
+  double summed_time = 0;  ///< over which Particles::mean_pressure sums, s
   float max_speed = 0;
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
@@ -149,16 +151,20 @@ struct Run final : Engine {
             .refusals = refusals,
             .kick = kick(dt),
             .excess = excess,
-            .rate = leftover.rate()};
+            .rate = leftover.rate(),
+            .kept = leftover.kept(),
+            .leftover = leftover.total()};
   }
 
   const float* allowed_leftover(double dt, int refusals) {
     if (!corrects_density())
       return nullptr;
     const Vec3<float> a = body_acceleration(settings.forces, time);
-    return leftover.allow(executor, particles, neighbourhood.grid(), dt, refusals,
-                          std::sqrt(dot(a, a)));
+    return leftover.allow(executor, particles, dt, refusals, std::sqrt(dot(a, a)));
   }
+
+  /// What is no time at all near the given one, s.
+  static double tiny(double end) { return 1e-9 * std::max(1.0, std::abs(end)); }
 
   /// One accepted step of at most dt; returns its length, s.
   double step(double dt, FrameStatistics& statistics) {
@@ -177,7 +183,11 @@ struct Run final : Engine {
       if (!result.accepted)
         continue;
       statistics.contacts += integrate(context, result.pressure_factor, statistics);
-      note_leftover();
+      solver->ease(context);
+      note_leftover(particles.corrected_position);
+      summed_time += context.kick;
+      if (frame_end - (time + dt) <= tiny(frame_end))
+        measure_pressure(context, settings.solver.pressure_kernel, summed_time);
       break;
     }
     time_step.accepted(dt);
@@ -223,8 +233,9 @@ struct Run final : Engine {
                      drifted_v = particles.drifted_velocity.view(),
                      corrected = particles.corrected_position.view(),
                      a = particles.acceleration.view();
-    float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data();
-    const float dt = s.time_step;
+    float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data(),
+          *sum = particles.mean_pressure.data();
+    const float dt = s.time_step, kick = s.kick;
     const StepView step = s.view();
     const Moved motion =
         executor.reduce<Moved>("integrate", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
@@ -237,6 +248,7 @@ struct Run final : Engine {
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * new_pressure[i];
+          sum[i] += kick * pressure[i];
           return Moved{dot(velocity, velocity), dot(push, push) > 0,
                        double{pressure[i]} * pressure[i],
                        wall_impulse(step.contact, corrected[i], push, dt)};
@@ -249,7 +261,9 @@ struct Run final : Engine {
               (motion.wall_impulse + drift_impulse) +
           wall_work(executor, constants, settings.solver.pressure_kernel, particles, solid, dt);
     executor.for_each("integrate", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
-      solid.pressure[solid.wet[k]] = pressure_factor * solid.step_pressure[solid.wet[k]];
+      const std::uint32_t b = solid.wet[k];
+      solid.pressure[b] = pressure_factor * solid.step_pressure[b];
+      solid.mean_pressure[b] += kick * solid.pressure[b];
     });
     max_speed = std::sqrt(motion.squared_speed);
     return motion.contacts + drift_contacts;
@@ -267,16 +281,18 @@ struct Run final : Engine {
     max_speed = largest_speed(executor, particles);
   }
 
-  void note_leftover() {
+  /// Of particles whose density ratios are those at `position`.
+  void note_leftover(VectorField& position) {
     if (corrects_density())
-      leftover.note(executor, particles, inflow.held());
+      leftover.note(executor, particles, position.view(), neighbourhood.boundary(), constants,
+                    inflow.held());
   }
 
   /// Measures particles as they are given, or where others have come close to them.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
-    note_leftover();
+    note_leftover(particles.drifted_position);
   }
 
   /// The liquid as it is now.
@@ -303,8 +319,15 @@ struct Run final : Engine {
              walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
     }
-    const double tiny = 1e-9 * std::max(1.0, std::abs(end));
-    while (end - time > tiny) {
+    frame_end = end;
+    if (end - time > tiny(end)) {
+      executor.wait();
+      particles.mean_pressure.resize(particles.count);
+      particles.mean_pressure.fill(0);
+      walls.boundary().mean_pressures().fill(0);
+      summed_time = 0;
+    }
+    while (end - time > tiny(end)) {
       if (stop != nullptr && *stop)
         return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
@@ -313,7 +336,7 @@ struct Run final : Engine {
           time_step.next(goal - time, fastest(goal), std::sqrt(dot(a, a)), mean_pressure);
       const double dt = step(wanted, statistics);
       time += dt;
-      if (end - time <= tiny)
+      if (end - time <= tiny(end))
         time = end;
       exchange_particles();
       statistics.min_time_step =
@@ -323,7 +346,7 @@ struct Run final : Engine {
     }
     time = end;
     measure(statistics);
-    note_leftover();
+    note_leftover(particles.drifted_position);
     statistics.exchange = std::exchange(exchange, {});
     return statistics;
   }

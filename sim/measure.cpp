@@ -24,7 +24,34 @@ Vec3<float> lowest_corner(const Settings& settings) {
   return {g.x > 0 ? max.x : min.x, g.y > 0 ? max.y : min.y, g.z > 0 ? max.z : min.z};
 }
 
+template <class Kernel>
+void measure_pressure_with(const Kernel& kernel, const StepContext& s, double time) {
+  Particles& particles = s.particles;
+  const Vec3Arrays position = particles.corrected_position.view();
+  ScalarField& result = particles.density_ratio;
+  float *sum = particles.mean_pressure.data(), *pressure = result.data();
+  const auto per_time = static_cast<float>(1 / time);
+  const StepView step = s.view();
+  const Kernel of_pressure = kernel;
+  s.executor.for_each("measure pressure", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+    sum[step.count] = 0;  // of the sentinel
+  });
+  s.executor.for_each("measure pressure", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    pressure[i] = per_time * mechanical_pressure(i, step.constants, of_pressure, position, sum,
+                                                 step.neighbours, step.boundary);
+  });
+  particles.mean_pressure.swap(result);
+}
+
 }  // namespace
+
+void measure_pressure(const StepContext& step, PressureKernel kernel, double time) {
+  const float radius = step.constants.support_radius;
+  if (kernel == PressureKernel::spiky)
+    measure_pressure_with(SpikyKernel(radius), step, time);
+  else
+    measure_pressure_with(CubicKernel(radius), step, time);
+}
 
 double energy_of(const FluidConstants& constants, const Settings& settings,
                  const glm::vec3& position, const glm::vec3& velocity) {

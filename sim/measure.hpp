@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/neighbourhood.hpp"
+#include "sim/solver.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
@@ -22,5 +23,10 @@ double energy_of(const FluidConstants& constants, const Settings& settings,
 /// anew within `radius`, m, and sums up. Leaves the positions as the drifted ones.
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
                  const FluidConstants& constants, const Settings& settings, float radius);
+
+/// Turns the sums of pressure times time, Pa·s, in `mean_pressure` into mechanical pressures, Pa.
+/// The neighbours are those of the step that ends here. Spoils the density ratios.
+/// @param time over which the sums go, s
+void measure_pressure(const StepContext& step, PressureKernel kernel, double time);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

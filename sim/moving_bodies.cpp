@@ -213,11 +213,13 @@ void MovingBodies::keep_pressures() {
   std::vector<bool> present(samples_.size(), false);
   for (std::uint32_t k = 0; k < placed_.size(); ++k) {
     samples_[placed_[k]].pressure = boundary_.pressures()[k];
+    samples_[placed_[k]].compression = boundary_.compressions()[k];
+    samples_[placed_[k]].mean_pressure = boundary_.mean_pressures()[k];
     present[placed_[k]] = true;
   }
   for (std::size_t i = 0; i < samples_.size(); ++i)
     if (!present[i])
-      samples_[i].pressure = 0;
+      samples_[i].pressure = samples_[i].mean_pressure = samples_[i].compression = 0;
 }
 
 std::vector<float> MovingBodies::pressures() const {

@@ -35,10 +35,11 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
                    n, radius);
   const NeighbourView around = wet_lists_.view();
   float *pressure = boundary_.pressures().data(),
-        *step_pressure = boundary_.step_pressures().data();
+        *step_pressure = boundary_.step_pressures().data(),
+        *compression = boundary_.compressions().data();
   executor.for_each("wet samples", boundary_.count(), [=] SPINDRIFT_HD(std::uint32_t b) {
     if (around.empty(b))
-      pressure[b] = step_pressure[b] = 0;
+      pressure[b] = step_pressure[b] = compression[b] = 0;
   });
   executor.select("wet samples", boundary_.count(), wet_,
                   [=] SPINDRIFT_HD(std::uint32_t b) { return !around.empty(b); });
@@ -55,8 +56,9 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
     for (int c = 0; c < 3; ++c)
       permute(executor, order, n, field->component(c), scratch);
   permute(executor, order, n, particles.pressure, scratch);
-  if (!particles.compression.empty())
-    permute(executor, order, n, particles.compression, scratch);
+  for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
+    if (!field->empty())
+      permute(executor, order, n, *field, scratch);
   grid_.permute(particles.ids);
 }
 

@@ -26,6 +26,8 @@ class Neighbourhood {
             .velocity = boundary_.velocities(),
             .pressure = boundary_.pressures().data(),
             .step_pressure = boundary_.step_pressures().data(),
+            .compression = boundary_.compressions().data(),
+            .mean_pressure = boundary_.mean_pressures().data(),
             .neighbours = boundary_lists_.view(),
             .fluid = wet_lists_.view(),
             .wet = wet_.data(),

@@ -6,15 +6,17 @@ void append_particles(Particles& particles, std::span<const glm::vec3> positions
                       const glm::vec3& velocity, std::span<const std::uint32_t> ids) {
   const std::uint32_t before = particles.count;
   particles.resize(before + static_cast<std::uint32_t>(positions.size()));
-  if (!particles.compression.empty())
-    particles.compression.resize(particles.count);
+  for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
+    if (!field->empty())
+      field->resize(particles.count);
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const auto i = before + static_cast<std::uint32_t>(k);
     particles.position.view().set(i, from_glm(positions[k]));
     particles.velocity.view().set(i, from_glm(velocity));
     particles.pressure[i] = 0;
-    if (!particles.compression.empty())
-      particles.compression[i] = 0;
+    for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
+      if (!field->empty())
+        (*field)[i] = 0;
     particles.ids[i] = ids[k];
   }
 }
@@ -28,14 +30,16 @@ void remove_particles(Particles& particles, std::span<const std::uint8_t> gone) 
     x.set(kept, x[i]);
     v.set(kept, v[i]);
     particles.pressure[kept] = particles.pressure[i];
-    if (!particles.compression.empty())
-      particles.compression[kept] = particles.compression[i];
+    for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
+      if (!field->empty())
+        (*field)[kept] = (*field)[i];
     particles.ids[kept] = particles.ids[i];
     ++kept;
   }
   particles.resize(kept);
-  if (!particles.compression.empty())
-    particles.compression.resize(kept);
+  for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
+    if (!field->empty())
+      field->resize(kept);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -17,10 +17,12 @@ void set_particles(Particles& particles, const InitialParticles& initial) {
 void set_particles(Particles& particles, const Frame& frame) {
   const auto n = static_cast<std::uint32_t>(frame.positions.size());
   particles.resize(n);
+  particles.mean_pressure.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) {
     particles.position.view().set(i, from_glm(frame.positions[i]));
     particles.velocity.view().set(i, from_glm(frame.velocities[i]));
-    particles.pressure[i] = frame.pressures[i];
+    particles.pressure[i] = frame.multipliers[i];
+    particles.mean_pressure[i] = frame.pressures[i];
     particles.ids[i] = frame.ids[i];
   }
 }
@@ -36,7 +38,12 @@ void put_particles(const Particles& particles, float rest_density, Frame& frame)
     frame.velocities.push_back(particles.velocity.at(i));
     frame.densities.push_back(particles.density_ratio[i] * rest_density);
   }
-  frame.pressures.assign(particles.pressure.data(), particles.pressure.data() + n);
+  frame.multipliers.assign(particles.pressure.data(), particles.pressure.data() + n);
+  const float* pressure = particles.mean_pressure.data();
+  if (particles.mean_pressure.empty())
+    frame.pressures.assign(n, 0.f);
+  else
+    frame.pressures.assign(pressure, pressure + n);
 }
 
 float largest_speed(Executor& executor, Particles& particles) {

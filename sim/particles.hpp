@@ -74,6 +74,9 @@ struct Particles {
   /// ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there is pressure. Only
   /// with a solver that corrects it; empty else.
   ScalarField compression;
+  /// At a frame the mechanical pressure, Pa, the mean over the time since the last one; between
+  /// frames the sum of pressure times time since then, Pa·s. Empty before the first step.
+  ScalarField mean_pressure;
 
   // Within a step.
   VectorField drifted_position;    ///< where particles are about to be, but for pressure, m
@@ -96,7 +99,8 @@ struct Particles {
 
   std::size_t memory_bytes() const {
     return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() + compression.memory_bytes() +
-           excess.memory_bytes() + ids.capacity() * sizeof(std::uint32_t);
+           mean_pressure.memory_bytes() + excess.memory_bytes() +
+           ids.capacity() * sizeof(std::uint32_t);
   }
 };
 

@@ -18,13 +18,17 @@ constexpr float warm_start = 0.8f;
 /// not converge.
 constexpr float relaxation = 0.45f;
 
+/// Part of what a step has left over that is taken away at once, by the positions alone, and how
+/// much of it at most, in tolerances of the largest compression.
+constexpr float eased = 0.6f, most_eased = 0.15f;
+
 /// A step in which pressure moves any particle further than this many spacings has left the
 /// neighbourhood it was computed in, and is repeated smaller.
 constexpr float largest_correction = 0.4f;
 
 /// How far the iteration is from its end.
 struct Residual {
-  double compression = 0;  ///< Σ ρ/ρ₀ − 1 over compressed particles
+  double compression = 0;  ///< Σ max(0, ρ/ρ₀ − 1)
   double error = 0;  ///< Σ of how far ρ/ρ₀ is from what is wanted, above it, or below it as far
                      ///< as pressure holds it up
   float largest = 0;  ///< ρ/ρ₀ − 1
@@ -38,6 +42,12 @@ struct Residual {
 SPINDRIFT_HD inline float part_of(float share, float pressure, float least) {
   const float part = share * pressure;
   return part < least ? 0.f : part;
+}
+
+/// Pressure that takes away a part of a compression, Pa.
+SPINDRIFT_HD inline float easing_pressure(float compression, float pressure, float delta,
+                                          float most) {
+  return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
 }
 
 template <class Kernel>
@@ -74,6 +84,33 @@ class Pcisph : public PressureSolver {
     }
   }
 
+  void ease(const StepContext& s) override {
+    Particles& p = s.particles;
+    const float delta = stiffness(s), most = most_eased * settings_.max_compression;
+    const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data(),
+                *wet = wet_compression_.data();
+    float* easing = p.step_pressure.data();
+    const StepView step = s.view();
+    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      easing[i] = step.is_held(i) ? 0 : easing_pressure(ratio[i] - 1, pressure[i], delta, most);
+    });
+    s.executor.for_each("ease", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+      const BoundaryView& solid = step.boundary;
+      const std::uint32_t b = solid.wet[k];
+      solid.step_pressure[b] =
+          easing_pressure(wet[k] + step.kept_by_sample(b), solid.pressure[b], delta, most);
+    });
+    const Vec3Arrays x = p.corrected_position.view(), moved = p.drifted_position.view();
+    const float dt2 = s.time_step * s.time_step;
+    const Kernel kernel = pressure_kernel_;
+    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, x, easing,
+                                                  step.neighbours, step.boundary);
+      moved.set(i, step.is_held(i) ? x[i] : step.contact.resolve(x[i] + dt2 * a));
+    });
+    keep_if_better(s, delta);
+  }
+
   float time_step_limit() const override { return settings_.max_time_step; }
 
   std::size_t memory_bytes() const override {
@@ -89,13 +126,14 @@ class Pcisph : public PressureSolver {
     return static_cast<float>(s.constants.rest_density / (v_dt * v_dt * gradient_product_));
   }
 
-  /// Refused steps ask for a little less each time: where a step starts at the very tolerance, a
-  /// shorter one would not end below it either.
+  /// A step is not refused for what there was before it. Refused steps ask for a little less each
+  /// time: where one starts at the very tolerance, a shorter one would not end below it either.
   bool converged(const Residual& residual, const StepContext& s) const {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
     return residual.largest <= lenience * settings_.max_compression &&
-           residual.compression <= mean && residual.error <= 2 * mean * s.rate;
+           residual.compression <= std::max(mean, s.leftover) &&
+           residual.error <= 2 * mean * s.rate;
   }
 
   /// A part of the last step's pressure. The pressure that is kept is the mean over the time
@@ -174,19 +212,20 @@ class Pcisph : public PressureSolver {
     return residual;
   }
 
-  /// The same for the wet boundary samples; returns the sum of what they press beyond their need.
-  /// (Where one is too dense the liquid beside it is, and counts.)
+  /// The same for the wet boundary samples; returns the sum of their errors. Without them a pair of
+  /// particles that lands on a floor bounces.
   double predict_wet_density(const StepContext& s, float delta) {
     const Vec3Arrays corrected = s.particles.corrected_position.view();
-    const BoundaryView solid = s.boundary;
-    const FluidConstants constants = s.constants;
+    const StepView step = s.view();
     const CubicKernel kernel = density_kernel_;
-    float* compression = wet_compression_.resized(solid.wet_count);
+    float* compression = wet_compression_.resized(s.boundary.wet_count);
     const Sum error = s.executor.reduce<Sum>(
-        "predict density", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+        "predict density", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+          const BoundaryView& solid = step.boundary;
           const std::uint32_t b = solid.wet[k];
-          compression[k] = boundary_density_ratio(b, constants, kernel, corrected, solid) - 1.f;
-          return Sum{std::max(0.f, std::min(-compression[k], solid.step_pressure[b] / delta))};
+          compression[k] = boundary_density_ratio(b, step.constants, kernel, corrected, solid) -
+                           1.f - step.kept_by_sample(b);
+          return Sum{std::abs(std::max(compression[k], -solid.step_pressure[b] / delta))};
         });
     return error.value;
   }
@@ -210,11 +249,16 @@ class Pcisph : public PressureSolver {
   /// each particle does.
   void correct_everywhere(const StepContext& s, float delta) {
     coarse_.build(s, delta);
-    coarse_.solve(s, acceleration_.residuals());
     float* p = s.particles.step_pressure.data();
     const float* wet = wet_compression_.data();
-    const float part = relaxation * delta;
+    const std::uint32_t n = s.particles.count;
     const StepView step = s.view();
+    coarse_.solve(s, [=] SPINDRIFT_HD(std::uint32_t k) {
+      return k < n ? CoarsePressure::Error{step.compression(k), p[k] / delta}
+                   : CoarsePressure::Error{
+                         wet[k - n], step.boundary.step_pressure[step.boundary.wet[k - n]] / delta};
+    });
+    const float part = relaxation * delta;
     const CoarseView coarse = coarse_.view();
     s.executor.for_each("correct pressure", s.grid.cell_count, [=] SPINDRIFT_HD(std::uint32_t c) {
       coarse.at_particles(c, [&](std::uint32_t i, float everywhere) {
@@ -238,6 +282,47 @@ class Pcisph : public PressureSolver {
       const AndersonPoint best = history.at(k);
       const float pressure = std::max(0.f, best.iterate + part * best.residual);
       (k < n ? p[k] : solid.step_pressure[solid.wet[k - n]]) = pressure;
+    });
+  }
+
+  struct Errors {
+    double before = 0, after = 0;  ///< Σ of their squares
+    float largest_before = 0, largest_after = 0;
+    SPINDRIFT_HD void join(const Errors& o) {
+      before += o.before;
+      after += o.after;
+      largest_before = std::max(largest_before, o.largest_before);
+      largest_after = std::max(largest_after, o.largest_after);
+    }
+  };
+
+  /// Takes over the moved positions, which stand where the drifted ones did, and their density
+  /// ratios, if they are better.
+  void keep_if_better(const StepContext& s, float delta) {
+    Particles& p = s.particles;
+    const Vec3Arrays moved = p.drifted_position.view(), x = p.position.view(),
+                     corrected = p.corrected_position.view();
+    float *ratio = p.density_ratio.data(), *moved_ratio = p.excess.data();
+    const float* pressure = p.pressure.data();
+    const StepView step = s.view();
+    const CubicKernel kernel = density_kernel_;
+    const auto compare = [=] SPINDRIFT_HD(std::uint32_t i) {
+      moved_ratio[i] =
+          density_ratio(i, step.constants, kernel, moved, step.neighbours, step.boundary);
+      if (step.is_held(i))
+        return Errors{};
+      const double before = std::max(ratio[i] - 1, -pressure[i] / delta),
+                   after = std::max(moved_ratio[i] - 1, -pressure[i] / delta);
+      return Errors{before * before, after * after, ratio[i] - 1, moved_ratio[i] - 1};
+    };
+    const Errors errors = s.executor.reduce<Errors>("ease", p.count, compare);
+    if (errors.after > errors.before ||
+        errors.largest_after > std::max(errors.largest_before, settings_.max_compression))
+      return;
+    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      x.set(i, moved[i]);
+      corrected.set(i, moved[i]);
+      ratio[i] = moved_ratio[i];
     });
   }
 

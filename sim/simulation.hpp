@@ -23,7 +23,8 @@ struct Frame {
       velocities;  ///< over the step that ended here (leapfrog: at its middle), m/s
   std::vector<float>
       densities;  ///< kg/m³, recomputed from the positions with the full neighbourhood
-  std::vector<float> pressures;    ///< Pa
+  std::vector<float> pressures;    ///< in the sense of mechanics, mean since the last frame, Pa
+  std::vector<float> multipliers;  ///< what stands for pressure in the equations of motion, Pa
   std::vector<std::uint32_t> ids;  ///< the particle's number, never another's: in the initial
                                    ///< lattice, then in the order of coming in
   std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa

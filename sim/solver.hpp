@@ -20,6 +20,7 @@ struct StepView {
   Vec3Arrays drifted;          ///< where particles are about to be, but for pressure, m
   const float* density_ratio;  ///< ρ/ρ₀, as last predicted
   const float* excess;         ///< compression that a particle may keep in this step
+  float kept;                  ///< part of the wet samples' leftover compression that they may keep
 
   /// A particle with no others near it: the domain's walls stop it as far off as they are from
   /// liquid at rest, where they alone do not make it too dense, and do not throw it back.
@@ -40,6 +41,10 @@ struct StepView {
   SPINDRIFT_HD float compression(std::uint32_t i) const {
     return density_ratio[i] - 1.f - excess[i];
   }
+  /// Compression that wet sample b may keep.
+  SPINDRIFT_HD float kept_by_sample(std::uint32_t b) const {
+    return kept * boundary.compression[b];
+  }
 };
 
 /// One time step after all but pressure has been applied: particles have drifted to where they
@@ -59,6 +64,8 @@ struct StepContext {
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
   const float* excess;  ///< compression that a particle may keep in this step; not for basic SPH
   float rate;           ///< part of the tolerance that a step as short as this may add
+  float kept = 0;       ///< part of the wet samples' leftover compression that they may keep
+  double leftover = 0;  ///< Σ max(0, ρ/ρ₀ − 1) over the particles at the start of the step
   bool settling =
       false;          ///< the particles start far too dense; only what goes beyond `excess` counts
   float densest = 1;  ///< largest density ratio at the start of the step where that is far above 1
@@ -73,7 +80,8 @@ struct StepContext {
             .position = particles.position.view(),
             .drifted = particles.drifted_position.view(),
             .density_ratio = particles.density_ratio.data(),
-            .excess = excess};
+            .excess = excess,
+            .kept = kept};
   }
 };
 
@@ -90,6 +98,9 @@ class PressureSolver {
  public:
   virtual ~PressureSolver() = default;
   virtual StepResult solve(const StepContext& step) = 0;
+  /// After an accepted step, when positions are the corrected ones: moves them, and them alone, to
+  /// take away some of what the step has left over. Leaves the density ratios there.
+  virtual void ease(const StepContext&) {}
   /// Largest stable time step of the solver itself, s.
   virtual float time_step_limit() const = 0;
   /// Of the fields that the solver keeps.

@@ -42,15 +42,30 @@ std::map<std::string, std::vector<FrontPoint>> read_fronts(const std::string& fi
   return fronts;
 }
 
-/// A column `across` particles wide, twice as high, and four thick, in a long tank; L = 1 m.
-Settings column_collapse(int across) {
+struct Collapse {
+  int across;                      ///< particles across the column
+  float mean_compression = 1e-4f;  ///< allowed
+  bool gate = false;               ///< it is let go by a gate that is pulled up, not at once
+};
+
+/// A column `across` particles wide, twice as high, and four thick, in a long tank; L = 1 m. The
+/// gate takes T = 0.58 to rise above the column, steadily: 0.05 s at the experiment's L = 0.146 m.
+Settings column_collapse(const Collapse& collapse) {
   Settings s;
-  s.fluid.spacing = 1.f / static_cast<float>(across);
+  s.fluid.spacing = 1.f / static_cast<float>(collapse.across);
   s.fluid.viscosity = 0.001f;
-  const float thick = 4 * s.fluid.spacing;
+  s.solver.mean_compression = collapse.mean_compression;
+  const float spacing = s.fluid.spacing, thick = 4 * spacing;
   s.domain = {{0, 0, 0}, {15, 2.5f, thick}};
   s.fluid.volumes = {{Box{{0, 0, 0}, {1, 2, thick}}}};
-  s.solver.max_time_step = 0.1f * s.fluid.spacing;  // the default at 20 particles across
+  s.solver.max_time_step = 0.1f * spacing;  // the default at 20 particles across
+  if (collapse.gate) {
+    Motion lift;
+    lift.keyframes = {{.time = 0}, {.time = 0.58f / 4.43f, .translate = {0, 2, 0}}};
+    lift.interpolation = Interpolation::linear;
+    s.obstacles = {
+        {.shape = Box{{1, 0, -2 * spacing}, {1.1f, 2.5f, thick + 2 * spacing}}, .motion = lift}};
+  }
   return s;
 }
 
@@ -114,12 +129,14 @@ BestShift best_shift(const std::vector<FrontPoint>& curve, const std::vector<Fro
   return best;
 }
 
-std::vector<FrontPoint> simulated_front(int across, double last) {
-  const Settings s = column_collapse(across);
+constexpr double last_time = 4;  // T; later the water is a film thinner than a few particles
+
+std::vector<FrontPoint> simulated_front(const Collapse& collapse) {
+  const Settings s = column_collapse(collapse);
   const double per_second = std::sqrt(2 * gravity);
   Simulation simulation(s);
   std::vector<FrontPoint> curve;
-  for (double t = 0; t < last + 0.6; t += 0.05) {
+  for (double t = 0; t < last_time + 0.6; t += 0.05) {
     simulation.advance_to(t / per_second);
     curve.push_back({t, front_position(simulation.frame(), s.fluid.spacing)});
   }
@@ -132,55 +149,75 @@ struct FrontErrors {
   double shift = 0;     ///< that shift, of T
 };
 
-/// Errors of the front against every experiment. The experiments' origin of time is uncertain:
-/// their water is let go by a wall that is pulled up or a film that melts, which holds it back at
-/// first.
-std::map<std::string, FrontErrors> front_errors(int across) {
-  constexpr double last = 4;  // T; later the water is a film thinner than a few particles
-  const std::vector<FrontPoint> curve = simulated_front(across, last);
-  std::map<std::string, FrontErrors> errors;
+using FrontErrorsByName = std::map<std::string, FrontErrors>;
+
+/// Errors of a front against every experiment, or, with a gate, against the one that has a gate.
+/// The experiments' origin of time is not that of the motion. Koshizuka and Oka's points are T =
+/// 0.386 apart, 1/30 s at L = 0.146 m: the frames of a film, the first of which is the last one
+/// with water at rest. Martin and Moyce's water comes as far until T = 0.4 as in as much time after
+/// that, as no water does that falls freely: a film of waxed paper held it back.
+FrontErrorsByName front_errors(const Collapse& collapse, const std::vector<FrontPoint>& curve) {
+  FrontErrorsByName errors;
   for (const char* file : {"martin_moyce_1952", "koshizuka_oka_1996"})
     for (const auto& [name, measured] : read_fronts(file)) {
-      const BestShift best = best_shift(curve, measured, last);
-      const FrontErrors e{front_error(curve, measured, last, 0), best.error, best.shift};
-      record(fmt::format("front | {} | {} | {:.1f} | {:.1f} | {:+.2f}", name, across,
-                         100 * e.released, 100 * e.aligned, e.shift));
+      if (collapse.gate && !name.starts_with("koshizuka"))
+        continue;
+      const BestShift best = best_shift(curve, measured, last_time);
+      const FrontErrors e{front_error(curve, measured, last_time, 0), best.error, best.shift};
+      record(fmt::format("front | {} | {} | {:g} | {} | {:.1f} | {:.1f} | {:+.2f}", name,
+                         collapse.across, 100 * double{collapse.mean_compression},
+                         collapse.gate ? "a gate" : "at once", 100 * e.released, 100 * e.aligned,
+                         e.shift));
       errors[name] = e;
     }
   return errors;
 }
 
-/// Koshizuka and Oka's front is not Martin and Moyce's shifted in time: it is slower later on.
-double aligned_bound(const std::string& name) {
-  return name.starts_with("martin") ? 0.03 : 0.06;
+FrontErrorsByName front_errors(const Collapse& collapse) {
+  return front_errors(collapse, simulated_front(collapse));
+}
+
+void check_aligned(const FrontErrorsByName& errors) {
+  for (const auto& [name, error] : errors) {
+    CAPTURE(name);
+    CHECK(error.aligned < (name.starts_with("martin") ? 0.03 : 0.055));
+    CHECK(std::abs(error.shift) < 0.386);
+  }
+}
+
+/// Root mean square of the difference of two fronts, of L.
+double difference(const std::vector<FrontPoint>& a, const std::vector<FrontPoint>& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    sum += std::pow(a[k].z - b[k].z, 2);
+  return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
 }  // namespace
 
 TEST_CASE("validation: a column's front runs as measured", "[validation][slow]") {
-  for (const auto& [name, error] : front_errors(20)) {
-    CAPTURE(name);
-    CHECK(error.aligned < aligned_bound(name));
-    CHECK(std::abs(error.shift) < 0.4);
-  }
+  const float mean_compression = GENERATE(1e-3f, 1e-4f);
+  check_aligned(front_errors({20, mean_compression}));
 }
 
-TEST_CASE("validation: a finer column's front runs as measured", "[validation][long]") {
-  for (const auto& [name, error] : front_errors(40)) {
-    CAPTURE(name);
-    CHECK(error.aligned < aligned_bound(name));
-    CHECK(std::abs(error.shift) < 0.4);
-  }
+TEST_CASE("validation: a gate that is pulled up does not hold the front back",
+          "[validation][slow]") {
+  const Collapse at_once{20}, gate{20, 1e-4f, true};
+  const std::vector<FrontPoint> front = simulated_front(gate);
+  check_aligned(front_errors(gate, front));
+  CHECK(difference(front, simulated_front(at_once)) < 0.1);
 }
 
-// Measured: 11 to 16 % at 40 particles across, and no less than at 20. The front starts ahead of
-// the experiments by 0.25 of T, then runs as they do.
-TEST_CASE("validation: a column's front runs as measured from its release on",
-          "[validation][long][!mayfail]") {
-  const auto coarse = front_errors(20), fine = front_errors(40);
-  for (const auto& [name, error] : fine) {
-    CAPTURE(name);
-    CHECK(error.released < 0.05);
-    CHECK(error.released < coarse.at(name).released);
-  }
+// From release the errors are 8 to 17 %, and grow towards those of the limit: at once and without
+// friction the water leads the experiments by 0.2 to 0.3 of T. With the default tolerance it is as
+// much as 3 % faster.
+TEST_CASE("validation: finer columns' fronts converge, and run as measured", "[validation][long]") {
+  const auto coarse = simulated_front({10}), medium = simulated_front({20}),
+             fine = simulated_front({40});
+  const double first = difference(coarse, medium), second = difference(medium, fine);
+  CAPTURE(first, second);
+  CHECK(second < 0.9 * first);
+  check_aligned(front_errors({40}, fine));
+  check_aligned(front_errors({40, 1e-3f}));
+  check_aligned(front_errors({40, 1e-4f, true}));
 }
