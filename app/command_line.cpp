@@ -182,6 +182,8 @@ std::string command_as_typed(int argc, const char* const* argv) {
 
 int run_typed_render(const Typed& typed, bool simulate_only, const std::string& hint) {
   const Scene scene = read_scene(typed.scene, all_overrides(typed));
+  if (const std::string refused = sim::why_refused(scene.simulation); !refused.empty())
+    throw UsageError(refused);
   const auto exports = [&](std::string_view what) {
     return std::find(typed.exports.begin(), typed.exports.end(), what) != typed.exports.end();
   };

@@ -16,8 +16,8 @@ struct BackendChoice {
 /// settings; "cuda" is CUDA whether it can or not.
 BackendChoice choose_backend(const Settings& settings);
 
-/// Why the CUDA backend cannot run these settings here, in words; empty: it can.
-std::string why_not_cuda(const Settings& settings);
+/// Why the backend that the settings ask for cannot run them here, in words; empty: it can.
+std::string why_refused(const Settings& settings);
 
 /// The GPU that CUDA runs on, or why there is none.
 std::string cuda_device();

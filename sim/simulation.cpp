@@ -10,19 +10,16 @@
 namespace spindrift::sim {
 namespace {
 
-/// @throws std::invalid_argument when CUDA is asked for and cannot run the settings
 template <class... Start>
-std::unique_ptr<Engine> engine_for(const BackendChoice& choice, const Settings& settings,
-                                   const Start&... start) {
-  if (choice.backend == Backend::cuda) {
-    const std::string why_not = why_not_cuda(settings);
-    if (!why_not.empty())
-      throw std::invalid_argument("solver.backend is \"cuda\", but " + why_not +
-                                  "; ask for \"cpu\" or \"auto\"");
+std::unique_ptr<Engine> engine_for([[maybe_unused]] const BackendChoice& choice,
+                                   const Settings& settings, const Start&... start) {
+  const std::string refused = why_refused(settings);
+  if (!refused.empty())
+    throw std::invalid_argument(refused);
 #ifdef SPINDRIFT_CUDA
+  if (choice.backend == Backend::cuda)
     return make_device_engine(settings, start...);
 #endif
-  }
   return make_engine(settings, start...);
 }
 

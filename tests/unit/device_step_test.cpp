@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "sim/device/device_engine.hpp"
 #include "sim/engine.hpp"
 #include "sim/simulation.hpp"
 
@@ -117,6 +118,23 @@ TEST_CASE("a hundred steps on the device compress and iterate as on the processo
   CHECK(b.max_compression == Approx(a.max_compression).margin(0.005));
   CHECK(b.kinetic_energy == Approx(a.kinetic_energy).epsilon(0.01));
   CHECK(b.potential_energy == Approx(a.potential_energy).epsilon(0.01));
+}
+
+TEST_CASE("what the device cannot do yet is said, and nothing else") {
+  const auto missing = [](auto change) {
+    Settings s = splash();
+    change(s);
+    return missing_on_device(s);
+  };
+  CHECK(missing([](Settings&) {}).empty());
+  CHECK(missing([](Settings& s) { s.obstacles[0].motion.emplace(); }) ==
+        "the scene has obstacles that move, which the CUDA backend cannot do yet");
+  CHECK(missing([](Settings& s) { s.obstacles[0].shape = TriangleMesh{}; }) ==
+        "the scene has obstacles that are meshes, which the CUDA backend cannot do yet");
+  CHECK(missing([](Settings& s) { s.fluid.emitters.emplace_back(); }) ==
+        "the scene has emitters, which the CUDA backend cannot do yet");
+  CHECK(missing([](Settings& s) { s.sinks.emplace_back(); }) ==
+        "the scene has sinks or open faces, which the CUDA backend cannot do yet");
 }
 
 TEST_CASE("a run on the device that goes on from a frame ends where one in one piece does") {
