@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/compare_options.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_fields.hpp"
+#include "app/sweep_options.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -41,6 +43,8 @@ struct Typed {
   double limit_seconds = BenchPlan{}.limit_seconds;
   bool quick = false;
   bool plane = false, scaling = false, threads_scaling = false;
+
+  bool of_sweeps = false;  // schema
 };
 
 /// What --set says, and options that stand for it.
@@ -313,11 +317,27 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   CLI::App* bench_run = app.add_subcommand("bench-run", "One run of bench, told on stdin");
   bench_run->group("");  // for bench itself
 
+  CLI::App* sweep =
+      app.add_subcommand("sweep", "Run a scene with many values, and compare the runs");
+  TypedSweep typed_sweep;
+  add_sweep_options(*sweep, typed_sweep);
+  CLI::App* sweep_job = app.add_subcommand("sweep-job", "One task of sweep, told on stdin");
+  sweep_job->group("");  // for sweep itself
+
+  CLI::App* compare = app.add_subcommand("compare", "Compare pictures, videos or runs");
+  CompareOptions compare_options;
+  add_compare_options(*compare, compare_options);
+
+  CLI::App* golden = app.add_subcommand("golden", "Hold scenes against pictures kept from before");
+  GoldenOptions golden_options;
+  add_golden_options(*golden, golden_options);
+
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
   CLI::App* schema = app.add_subcommand("schema", "Print the JSON schema of scene files");
   schema->group("");  // for the makers of scenes/scene.schema.json
+  schema->add_flag("--sweep", typed.of_sweeps, "That of sweep files");
 
   app.parse(argc, argv);
   if (typed.threads == 0) {
@@ -336,11 +356,23 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   if (bench_run->parsed()) {
     return run_bench_child();
   }
+  if (sweep->parsed()) {
+    return run_typed_sweep(typed_sweep, command_as_typed(argc, argv));
+  }
+  if (sweep_job->parsed()) {
+    return run_sweep_job();
+  }
+  if (compare->parsed()) {
+    return run_compare(compare_options);
+  }
+  if (golden->parsed()) {
+    return run_golden(golden_options);
+  }
   if (info->parsed()) {
     return run_info(typed.json);
   }
   if (schema->parsed()) {
-    return run_schema();
+    return run_schema(typed.of_sweeps);
   }
   throw UsageError("a command is missing");
 }
@@ -362,6 +394,8 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const UsageError& error) {
     return report(bad_usage, std::string(error.what()) + " (see spindrift --help)");
   } catch (const SceneError& error) {
+    return report(bad_usage, error.what());
+  } catch (const InputError& error) {
     return report(bad_usage, error.what());
   } catch (const std::bad_alloc&) {
     return report(run_failed, "out of memory");

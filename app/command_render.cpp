@@ -31,13 +31,12 @@ void write_probes(const Scene& scene, const RenderOptions& options, const RunRec
                      probes_html(scene, record.probe_readings, std::ref(draw)));
   if (!draw.failure().empty())
     fmt::print(stderr, "spindrift: {}; probes.html is without plots\n", draw.failure());
-  const std::size_t kept = record.frames.size() - static_cast<std::size_t>(record.frames_simulated);
-  if (scene.probes_rate > 0 && kept > 0 && !options.quiet)
+  if (record.frames_read_once > 0 && !options.quiet)
     fmt::print(
         stderr,
-        "spindrift: {} frames were kept from before, and their probes are read once a frame; "
-        "--no-cache reads them {:g} times a second\n",
-        kept, scene.probes_rate);
+        "spindrift: {} frames were kept from before without these probes, which are read once a "
+        "frame there; --no-cache reads them {:g} times a second\n",
+        record.frames_read_once, scene.probes_rate);
 }
 
 void write_report(const Scene& scene, const RenderOptions& options, const RunRecord& record) {

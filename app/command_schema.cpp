@@ -1,11 +1,12 @@
 #include <fmt/core.h>
 
 #include "app/commands.hpp"
+#include "app/sweep_file.hpp"
 
 namespace spindrift::app {
 
-int run_schema() {
-  fmt::print("{}", to_text(scene_schema()));
+int run_schema(bool of_sweeps) {
+  fmt::print("{}", to_text(of_sweeps ? sweep_schema() : scene_schema()));
   return done;
 }
 

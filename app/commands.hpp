@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "app/bench_runs.hpp"
+#include "app/comparison.hpp"
 #include "app/scene.hpp"
+#include "app/sweep_plan.hpp"
 
 namespace spindrift::app {
 
@@ -16,6 +19,13 @@ enum ExitCode {
   check_failed = 1,
   bad_usage = 2,  ///< or bad input
   run_failed = 3,
+};
+
+/// Input that can't be used, other than a scene. The message is one sentence for people: the file,
+/// what was found and what is accepted.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// Frame numbers from 0, both ends included.
@@ -45,6 +55,37 @@ struct BenchOptions {
   bool json = false;             ///< for machines
 };
 
+struct SweepOptions {
+  std::filesystem::path output;   ///< folder of all results
+  int threads = 1;                ///< of all runs together
+  int jobs = 0;                   ///< runs at once, at most; 0: as many as there are threads
+  bool quiet = false;             ///< nothing but errors
+  bool json = false;              ///< for machines
+  std::string command_line_hint;  ///< the command as typed, to say how to go on
+};
+
+struct CompareOptions {
+  std::filesystem::path a, b;
+  std::filesystem::path output = "out/compare";  ///< folder of the report and the differences
+  Limits limits;                                 ///< of every pair
+  int threshold = compare::default_threshold;    ///< of 255; more is a change
+  int shown_pairs = 4;                           ///< in the report
+  bool quiet = false;                            ///< nothing but errors
+  bool json = false;                             ///< for machines
+};
+
+enum class GoldenAction { check, update };
+
+struct GoldenOptions {
+  GoldenAction action = GoldenAction::check;
+  std::filesystem::path list;                   ///< file
+  std::filesystem::path output = "out/golden";  ///< folder of what was rendered, and of the report
+  std::vector<std::string> only;                ///< names; empty: all
+  Overrides overrides;                          ///< of every scene
+  bool quiet = false;                           ///< nothing but errors
+  bool json = false;                            ///< for machines
+};
+
 int run_render(const Scene& scene, const RenderOptions& options);
 
 /// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
@@ -54,13 +95,28 @@ int run_bench(const BenchOptions& options);
 /// standard output.
 int run_bench_child();
 
+/// Runs what of a sweep is not done yet, and leaves a report of all of it.
+int run_sweep(const SweepRequest& request, const SweepOptions& options);
+
+/// One task of a sweep, in a process of its own: told by JSON on the standard input.
+int run_sweep_job();
+
+/// Compares pictures, folders, videos or runs; leaves compare.html, compare.json and the
+/// differences. Fails where a pair is beyond a limit. @throws InputError
+int run_compare(const CompareOptions& options);
+
+/// Renders the scenes of a list and holds their frames against the pictures kept (check), or keeps
+/// them (update). Fails where one is beyond its tolerance or has no picture. @throws SceneError,
+/// InputError
+int run_golden(const GoldenOptions& options);
+
 /// Prints the scene with all defaults filled in, and what it will cost.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);
 
 /// Prints versions, processor, renderer and encoder.
 int run_info(bool json);
 
-/// Prints the JSON schema of scene files.
-int run_schema();
+/// Prints the JSON schema of scene files, or of sweep files.
+int run_schema(bool of_sweeps);
 
 }  // namespace spindrift::app

@@ -82,6 +82,25 @@ KeptFrame ParticleCache::read(int number) const {
   return kept;
 }
 
+void ParticleCache::write_readings(int number, const std::string& name,
+                                   const std::vector<double>& values) const {
+  std::filesystem::create_directories(folder_);
+  output::AtomicFile out(folder_ / fmt::format("{:04}.{}", number, name));
+  out.write(std::as_bytes(std::span(values)));
+  out.commit();
+}
+
+std::optional<std::vector<double>> ParticleCache::read_readings(int number,
+                                                                const std::string& name) const {
+  std::ifstream in(folder_ / fmt::format("{:04}.{}", number, name), std::ios::binary);
+  if (!in)
+    return std::nullopt;
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  std::vector<double> values(bytes.size() / sizeof(double));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+  return values;
+}
+
 void ParticleCache::write(int number, const KeptFrame& kept) const {
   std::filesystem::create_directories(folder_);
   output::AtomicFile out(file(number));

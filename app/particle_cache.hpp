@@ -27,6 +27,11 @@ class ParticleCache {
   /// @throws std::runtime_error that names the file when it can't be written.
   void write(int number, const KeptFrame& kept) const;
 
+  /// What probes read on the way to a frame, beside it. @param name tells the probes apart
+  void write_readings(int number, const std::string& name, const std::vector<double>& values) const;
+  /// Nothing where none are kept.
+  std::optional<std::vector<double>> read_readings(int number, const std::string& name) const;
+
   std::filesystem::path file(int number) const;
 
  private:

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/interrupt.hpp"
+#include "app/scene_values.hpp"
 #include "sim/initial.hpp"
 
 namespace spindrift::app {
@@ -32,6 +33,8 @@ void append(sim::FrameStatistics& whole, const sim::FrameStatistics& part) {
 ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
                                std::vector<ProbeReading>& readings)
     : scene_(scene), readings_(readings) {
+  if (!scene.probes.empty() && scene.probes_rate > 0)
+    readings_name_ = text_hash(json_of(scene.probes).dump()).substr(0, 16) + ".readings";
   if (options.from_particles) {
     read_only_ = true;
     cache_.emplace(*options.from_particles);
@@ -55,13 +58,16 @@ std::optional<KeptFrame> ParticleSource::next(int number) {
     last_ = kept(number);
     return last_;
   }
+  const std::size_t readings_before = readings_.size();
   KeptFrame frame = simulate(number);
   if (InterruptGuard::requested())
     return std::nullopt;
   particle_count_ = std::max(particle_count_, frame.frame.positions.size());
   ++simulated_;
-  if (cache_)
+  if (cache_) {
+    keep_readings(number, readings_before);
     cache_->write(number, frame);
+  }
   return frame;
 }
 
@@ -97,8 +103,38 @@ KeptFrame ParticleSource::simulate(int number) {
 KeptFrame ParticleSource::kept(int number) {
   KeptFrame frame = cache_->read(number);
   particle_count_ = std::max(particle_count_, frame.frame.positions.size());
-  read_probes(frame.frame);
+  if (!add_kept_readings(number)) {
+    read_probes(frame.frame);
+    ++read_once_;
+  }
   return frame;
+}
+
+/// Before the frame itself is kept, so that a frame which is there has its readings. Numbers are
+/// written as they stand in memory, like the frame's.
+void ParticleSource::keep_readings(int number, std::size_t first) const {
+  if (readings_name_.empty())
+    return;
+  std::vector<double> values;
+  for (std::size_t i = first; i < readings_.size(); ++i) {
+    values.push_back(readings_[i].time);
+    values.insert(values.end(), readings_[i].values.begin(), readings_[i].values.end());
+  }
+  cache_->write_readings(number, readings_name_, values);
+}
+
+bool ParticleSource::add_kept_readings(int number) {
+  if (readings_name_.empty())
+    return false;
+  const std::optional<std::vector<double>> values = cache_->read_readings(number, readings_name_);
+  std::size_t columns = 1;  // the time
+  for (const sim::Probe& probe : scene_.probes)
+    columns += sim::probe_columns(probe).size();
+  if (!values || values->size() % columns != 0)
+    return false;
+  for (auto at = values->begin(); at != values->end(); at += static_cast<long>(columns))
+    readings_.push_back({*at, {at + 1, at + static_cast<long>(columns)}});
+  return true;
 }
 
 double ParticleSource::time_of(int number) const {
@@ -117,6 +153,7 @@ void ParticleSource::read_probes(const sim::Frame& frame) {
 void ParticleSource::finish(RunRecord& record) const {
   record.particles = particle_count_;
   record.frames_simulated = simulated_;
+  record.frames_read_once = readings_name_.empty() ? 0 : read_once_;
   if (!simulation_)
     return;
   record.backend = simulation_->backend();

@@ -31,6 +31,8 @@ class ParticleSource {
  private:
   KeptFrame kept(int number);
   KeptFrame simulate(int number);
+  void keep_readings(int number, std::size_t first) const;
+  bool add_kept_readings(int number);
   double time_of(int number) const;
   void advance_to(double time, sim::FrameStatistics& statistics);
   void read_probes(const sim::Frame& frame);
@@ -38,12 +40,14 @@ class ParticleSource {
   const Scene& scene_;
   std::vector<ProbeReading>& readings_;
   std::optional<ParticleCache> cache_;
-  bool read_only_ = false;  ///< particles are given, never simulated
+  std::string readings_name_;  ///< of the files that readings between frames are kept in
+  bool read_only_ = false;     ///< particles are given, never simulated
   bool cached_so_far_ = true;
   KeptFrame last_;
   std::unique_ptr<sim::Simulation> simulation_;
   std::size_t particle_count_ = 0;
   int simulated_ = 0;
+  int read_once_ = 0;  ///< frames whose readings in between were not kept
 };
 
 }  // namespace spindrift::app

@@ -23,6 +23,7 @@ struct RunRecord {
   int first_frame = 0;
   int frames_wanted = 0;
   int frames_simulated = 0;  ///< the rest came from the cache
+  int frames_read_once = 0;  ///< whose probes should have been read more often
   int frames_finished = 0;   ///< drawn and written, or simulated where nothing is drawn
   bool interrupted = false;
   double wall_seconds = 0;

@@ -71,4 +71,7 @@ nlohmann::ordered_json scene_schema();
 /// camera, the look, the light and the video's size, quality and duration leave it as it is.
 std::string simulation_hash(const Scene& scene);
 
+/// 128 bits in hexadecimal of a text (FNV-1a).
+std::string text_hash(std::string_view text);
+
 }  // namespace spindrift::app

@@ -9,7 +9,7 @@ namespace spindrift::app {
 namespace {
 
 // To be raised when the same settings begin to give other particles, or the cache's files change.
-constexpr int particles_version = 5;
+constexpr int particles_version = 6;
 
 __extension__ typedef unsigned __int128 Bits128;
 
@@ -63,7 +63,11 @@ std::string simulation_hash(const Scene& scene) {
   if (!scene.probes.empty() && scene.probes_rate > 0)
     what["probes_rate"] = scene.probes_rate;  // steps end where probes are read
   what["particles_version"] = particles_version;
-  return text_of(fnv1a(what.dump()));
+  return text_hash(what.dump());
+}
+
+std::string text_hash(std::string_view text) {
+  return text_of(fnv1a(text));
 }
 
 }  // namespace spindrift::app

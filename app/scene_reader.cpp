@@ -11,12 +11,14 @@
 #include <variant>
 #include <vector>
 
+#include "app/golden_list.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene.hpp"
 #include "app/scene_checks.hpp"
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
 #include "app/scene_meshes.hpp"
+#include "app/scene_reader.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -169,14 +171,15 @@ class SceneReader {
   }
 
   template <class T>
-  void read(const Json& json, const std::string& path, std::vector<T>& into, const Bounds&) {
+  void read(const Json& json, const std::string& path, std::vector<T>& into,
+            const Bounds& of_each) {
     if (!json.is_array()) {
       fail(path, fmt::format("expected a list [...], found {}", found_text(json)));
     }
     into.clear();
     for (std::size_t i = 0; i < json.size(); ++i) {
       into.emplace_back();
-      read(json[i], child_path(path, i), into.back(), {});
+      read(json[i], child_path(path, i), into.back(), of_each);
     }
   }
 
@@ -262,7 +265,20 @@ class SceneReader {
   const SceneDocument& document_;
 };
 
+/// What a document holds, but for the name of its schema, which is for editors.
+Json content_of(const SceneDocument& document) {
+  Json root = document.root();
+  if (root.is_object()) {
+    root.erase("$schema");
+  }
+  return root;
+}
+
 }  // namespace
+
+void read_section(const SceneDocument& document, GoldenList& into) {
+  SceneReader(document).read(content_of(document), "", into);
+}
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& source,
                   const Overrides& overrides) {
@@ -271,10 +287,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   for (const std::string& assignment : overrides) {
     document.override_value(assignment, defaults);
   }
-  Json root = document.root();
-  if (root.is_object()) {
-    root.erase("$schema");  // for editors
-  }
+  const Json root = content_of(document);
   Scene scene;
   scene.name = source.stem().string();
   SceneReader(document).read(root, "", scene);
@@ -287,7 +300,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+std::string scene_text(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     throw SceneError(fmt::format("{}: there is no such file", file.string()));
   }
@@ -295,8 +308,11 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   if (!stream || std::filesystem::is_directory(file)) {
     throw SceneError(fmt::format("{}: this file can't be read", file.string()));
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_scene(text, file, overrides);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+  return parse_scene(scene_text(file), file, overrides);
 }
 
 }  // namespace spindrift::app

@@ -7,7 +7,7 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Time over which what is left over is taken away, in √(H/g).
-constexpr double release_time = 0.06;
+constexpr double release_time = 0.08;
 
 /// Part that is kept, at least, of the compression of a particle that is denser than it may be, as
 /// where others reach one that walls alone had held.

@@ -1,12 +1,15 @@
 // Writers for pictures, videos and geometry. Every file appears under its name only when complete.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "render/image.hpp"
 #include "render/mesh.hpp"
@@ -16,6 +19,9 @@ namespace spindrift::output {
 /// Writes an 8-bit RGB PNG tagged sRGB. @throws std::runtime_error naming the file and the reason,
 /// std::invalid_argument for an empty image or one whose pixels do not fit its size.
 void write_png(const std::filesystem::path& file, const Image& image);
+
+/// The bytes of such a PNG. @throws std::invalid_argument as write_png
+std::vector<std::byte> encode_png(const Image& image);
 
 /// Reads a PNG as 8-bit RGB (grey is spread to three channels, alpha dropped). @throws
 /// std::runtime_error naming the file and the reason.
@@ -46,6 +52,24 @@ class VideoWriter {
 
   /// Needs at least one frame. A second call does nothing. @throws std::runtime_error as add().
   void finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
+/// format that libav knows is a video of one picture.)
+class VideoReader {
+ public:
+  /// @throws std::runtime_error naming the file and the reason
+  explicit VideoReader(const std::filesystem::path& file);
+  ~VideoReader();
+  VideoReader(const VideoReader&) = delete;
+  VideoReader& operator=(const VideoReader&) = delete;
+
+  /// The next picture; none after the last. @throws std::runtime_error as the constructor
+  std::optional<Image> next();
 
  private:
   struct Impl;

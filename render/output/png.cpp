@@ -86,6 +86,7 @@ std::array<std::byte, 13> srgb_chunk() {
   return std::bit_cast<std::array<std::byte, 13>>(chunk);
 }
 
+/// As stb lays it out, without the colour tag.
 Bytes encode(const Image& image) {
   // Set once, before the first use; stb takes it from a global of this file.
   [[maybe_unused]] static const int filter = stbi_write_force_png_filter = kFilterUp;
@@ -121,20 +122,24 @@ Bytes read_file(const std::filesystem::path& file) {
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Image& image) {
+Bytes encode_png(const Image& image) {
   constexpr std::size_t kLargest = std::numeric_limits<int>::max() / 2;  // stb counts in int
   if (image.width <= 0 || image.height <= 0 ||
       image.pixels.size() != std::size_t(image.width) * std::size_t(image.height) * 3 ||
       image.pixels.size() > kLargest) {
-    throw std::invalid_argument("write_png: bad image of " + std::to_string(image.width) + "x" +
+    throw std::invalid_argument("PNG: bad image of " + std::to_string(image.width) + "x" +
                                 std::to_string(image.height) + " pixels");
   }
-  const Bytes png = encode(image);
-  const std::span<const std::byte> bytes(png);
+  Bytes png = encode(image);
+  const auto tag = srgb_chunk();
+  png.insert(png.begin() + kBytesBeforeColourTag, tag.begin(), tag.end());
+  return png;
+}
+
+void write_png(const std::filesystem::path& file, const Image& image) {
+  const Bytes png = encode_png(image);
   AtomicFile output(file);
-  output.write(bytes.first(kBytesBeforeColourTag));
-  output.write(srgb_chunk());
-  output.write(bytes.subspan(kBytesBeforeColourTag));
+  output.write(png);
   output.commit();
 }
 

@@ -2,13 +2,9 @@
 // libavformat lays out the file.
 
 extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
 #include <libavutil/opt.h>
-#include <libswscale/swscale.h>
 }
 
-#include <array>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -16,6 +12,7 @@ extern "C" {
 #include <utility>
 
 #include "render/output/atomic_file.hpp"
+#include "render/output/libav.hpp"
 #include "render/output/output.hpp"
 
 namespace spindrift::output {
@@ -32,38 +29,11 @@ constexpr const char* kPreset = "veryfast";
 
 constexpr int kSecondsBetweenKeyFrames = 2;  // how far a player has to decode after a jump
 
-struct Free {
-  void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
-  void operator()(AVFrame* p) const { av_frame_free(&p); }
-  void operator()(AVPacket* p) const { av_packet_free(&p); }
-  void operator()(SwsContext* p) const { sws_freeContext(p); }
-  void operator()(AVFormatContext* p) const {
-    avio_closep(&p->pb);
-    avformat_free_context(p);
-  }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Free>;
-
-std::string reason(int error) {
-  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-  av_strerror(error, text.data(), text.size());
-  return text.data();
-}
-
 void libav_check(int result, const std::filesystem::path& file, const char* doing) {
   if (result < 0) {
     throw std::runtime_error("cannot write " + file.string() + ": " + doing + ": " +
                              reason(result));
   }
-}
-
-template <class T>
-Owned<T> owned(T* pointer) {
-  if (pointer == nullptr) {
-    throw std::bad_alloc();
-  }
-  return Owned<T>(pointer);
 }
 
 bool takes_yuv420p(const AVCodec& codec) {

@@ -114,10 +114,15 @@ case $part in
              END { exit NR != 3 }' "$out/probes.csv" || complain "read something else" simulate
     [[ $(grep -c "<svg" "$out/probes.html") == 2 ]] || complain "did not plot what was measured" simulate
     grep -qi "src=\|href=.http" "$out/probes.html" && complain "needs other files for its report" simulate
-    # At a rate of their own; from kept particles, a reading a frame; without gnuplot, no plots.
+    # At a rate of their own, kept with the particles; other probes of kept particles, a reading a frame; without gnuplot,
+    # no plots.
     expect 0 "probes.html" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
     [[ $(wc -l <"$out/probes.csv") == 22 ]] || complain "did not read at the rate" simulate
-    expect 0 "--no-cache reads them 400 times a second" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
+    cp "$out/probes.csv" "$folder/first.csv"
+    expect 0 "probes.html" simulate "$folder/scene.json" -o "$out" --set probes_rate=400
+    cmp "$out/probes.csv" "$folder/first.csv" || complain "lost what was read between the frames" simulate
+    expect 0 "--no-cache reads them 400 times a second" simulate "$folder/scene.json" -o "$out" --set probes_rate=400 \
+      --set 'probes=[{"name": "all", "volume": {}}]'
     [[ $(wc -l <"$out/probes.csv") == 3 ]] || complain "did not read the kept frames" simulate
     mkdir "$folder/bin"
     PATH=$folder/bin "$program" simulate "$folder/scene.json" -o "$out" >"$folder/out" 2>"$folder/err" ||
@@ -125,6 +130,20 @@ case $part in
     grep -q "gnuplot-nox" "$folder/err" || complain "did not say that gnuplot is missing" simulate
     grep -q "No plot here" "$out/probes.html" || complain "left no report without gnuplot" simulate
     expect 2 'did you mean "pressure"?' check "$folder/scene.json" --set 'probes=[{"name": "a", "presure": {}}]'
+    ;;
+  compare)
+    small=(--set fluid.spacing=0.1 --set video.duration=0.1 --set video.width=64 --set video.height=36 --quiet)
+    "$program" render scenes/dam_break.json -o "$folder/a" "${small[@]}"
+    "$program" render scenes/dam_break.json -o "$folder/b" "${small[@]}" --set light.direction=[1,-1,0]
+    expect 0 "all 3 pairs" compare "$folder/a" "$folder/b" -o "$folder/out_ab"
+    expect 0 "light.direction: " compare "$folder/a" "$folder/b" -o "$folder/out_ab" --json
+    expect 1 "the mean of FLIP is 0." compare "$folder/a" "$folder/b" -o "$folder/out_ab" --max-flip 0.001 --quiet
+    expect 0 "" compare "$folder/a" "$folder/a/frames" -o "$folder/out_aa" --max-flip 0 --max-changed 0 --min-ssim 1
+    expect 0 "" compare "$folder/a/video.mp4" "$folder/b/video.mp4" -o "$folder/out_v"
+    expect 2 "there is no such file or folder" compare "$folder/a" "$folder/c" -o "$folder/out_ac"
+    expect 2 "64x36 pixels" compare "$folder/a/frames/0000.png" docs/images/knot.png -o "$folder/out_s"
+    expect 2 "not in range" compare "$folder/a" "$folder/b" --min-ssim 2
+    expect 2 'did you mean "--max-flip"?' compare "$folder/a" "$folder/b" --max-flop 1
     ;;
   info)
     expect 0 "processor" info

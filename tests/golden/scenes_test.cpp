@@ -1,157 +1,49 @@
-// One early frame of every scene that ships, from the scene file to the PNG, against
-// tests/golden/scenes. The list is scenes.json. A liquid is chaotic, so the frames are early and
-// the tolerance is looser than the renderer's own. Set SPINDRIFT_UPDATE_GOLDENS=1 to write the
-// pictures anew.
-#include <fmt/format.h>
-
+// What the golden tests of the scenes that ship (scenes.json, one CTest test each) rest on: that
+// none is left out, and that their tolerance does not let wrong shading pass.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
-#include "app/commands.hpp"
-#include "app/scene.hpp"
-#include "render/output/output.hpp"
+#include "app/comparison.hpp"
+#include "app/golden_list.hpp"
+#include "gl_support.hpp"
 
 namespace fs = std::filesystem;
 using namespace spindrift;
 
-namespace {
-
-/// Of 255, in any channel: a pixel that is off by more differs.
-constexpr int tolerance = 16;
-/// Share of the pixels that may differ.
-constexpr double share_allowed = 0.01;
-
-const fs::path source = SOURCE_DIR;
-const fs::path results = fs::path(RESULT_DIR) / "golden_scenes";
-
-struct Difference {
-  double share = 1;  ///< of the pixels beyond the tolerance
-  Image picture;     ///< the difference, eightfold
-};
-
-Difference difference(const Image& a, const Image& b) {
-  Difference d;
-  if (a.width != b.width || a.height != b.height)
-    return d;
-  d.picture = Image(a.width, a.height);
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
-    int largest = 0;
-    for (std::size_t c = i; c < i + 3; ++c) {
-      const int delta = std::abs(int{a.pixels[c]} - int{b.pixels[c]});
-      largest = std::max(largest, delta);
-      d.picture.pixels[c] = static_cast<std::uint8_t>(std::min(255, 8 * delta));
-    }
-    off += largest > tolerance;
-  }
-  d.share = static_cast<double>(off) / (static_cast<double>(a.pixels.size()) / 3);
-  return d;
-}
-
-/// Renders one frame of a scene at a small size, as the command does, and returns the PNG's pixels.
-Image render(const std::string& scene_name, const std::string& name, int frame,
-             app::Overrides set) {
-  for (const char* size : {"video.width=320", "video.height=180"})
-    set.push_back(size);
-  const app::Scene scene = app::read_scene(source / "scenes" / (scene_name + ".json"), set);
-  app::RenderOptions options;
-  options.output = results / name;
-  options.frames = app::FrameRange{frame, frame};
-  options.cache = false;
-  options.quiet = true;
-  REQUIRE(app::run_render(scene, options) == app::done);
-  return output::read_png(options.output / "frames" / fmt::format("{:04}.png", frame));
-}
-
-void check(const nlohmann::json& entry) {
-  const std::string scene = entry.at("scene");
-  const std::string name = entry.value("name", scene);
-  const Image image = render(scene, name, entry.at("frame"), entry.value("set", app::Overrides{}));
-  const fs::path golden_file = source / "tests/golden/scenes" / (name + ".png");
-  if (std::getenv("SPINDRIFT_UPDATE_GOLDENS")) {
-    fs::create_directories(golden_file.parent_path());
-    output::write_png(golden_file, image);
-    return;
-  }
-  INFO("the picture, its golden and their difference are in " << (results / name).string());
-  REQUIRE(fs::exists(golden_file));
-  const Image golden = output::read_png(golden_file);
-  const Difference d = difference(image, golden);
-  if (d.share > share_allowed) {
-    fs::copy_file(golden_file, results / name / "golden.png", fs::copy_options::overwrite_existing);
-    if (d.picture.width > 0)
-      output::write_png(results / name / "difference.png", d.picture);
-  }
-  CHECK(d.share <= share_allowed);
-}
-
-nlohmann::json entries() {
-  std::ifstream in(source / "tests/golden/scenes.json");
-  return nlohmann::json::parse(in);
-}
-
-}  // namespace
-
 TEST_CASE("every shipped scene has a golden frame") {
-  std::set<std::string> listed;
-  for (const auto& entry : entries())
-    listed.insert(entry.at("scene").get<std::string>());
+  const fs::path source = SOURCE_DIR;
+  std::set<fs::path> listed;
+  for (const app::Golden& golden :
+       app::read_golden_list(source / "tests/golden/scenes.json").goldens)
+    listed.insert(fs::path(golden.scene).filename());
   for (const auto& file : fs::directory_iterator(source / "scenes")) {
-    const std::string name = file.path().filename().string();
-    if (name.ends_with(".json") && name != "scene.schema.json")
-      CHECK(listed.count(file.path().stem().string()) == 1);
+    const fs::path name = file.path().filename();
+    if (name.extension() == ".json" && name != "scene.schema.json")
+      CHECK(listed.count(name) == 1);
   }
 }
 
-TEST_CASE("a frame of the dam break is the golden one", "[slow]") {
-  check(entries().at(0));
-}
-TEST_CASE("a frame of the dam break as particles is the golden one", "[slow]") {
-  check(entries().at(1));
-}
-TEST_CASE("a frame of the double dam break is the golden one", "[slow]") {
-  check(entries().at(2));
-}
-TEST_CASE("a frame of the two dropping blocks is the golden one", "[slow]") {
-  check(entries().at(3));
-}
-TEST_CASE("a frame of the tank at rest is the golden one", "[slow]") {
-  check(entries().at(4));
-}
-TEST_CASE("a frame of the dropping ball is the golden one", "[slow]") {
-  check(entries().at(5));
-}
-TEST_CASE("a frame of the sheet on the knot is the golden one", "[slow]") {
-  check(entries().at(6));
-}
-TEST_CASE("a frame of the mixer is the golden one", "[slow]") {
-  check(entries().at(7));
-}
-TEST_CASE("a frame of the wave maker is the golden one", "[slow]") {
-  check(entries().at(8));
-}
-
-TEST_CASE("a frame of the fountain is the golden one", "[slow]") {
-  check(entries().at(7));
-}
-
-TEST_CASE("a frame of the weightless drops is the golden one", "[slow]") {
-  check(entries().at(7));
-}
-
-TEST_CASE("a moved light, a missing obstacle and a weaker gravity are seen", "[slow]") {
-  const fs::path golden_file = source / "tests/golden/scenes/dam_break.png";
-  REQUIRE(fs::exists(golden_file));
-  const Image golden = output::read_png(golden_file);
-  for (const char* change :
-       {"light.direction=[0.6,-1,0.3]", "obstacles=[]", "forces.gravity=[0,-8.8,0]"}) {
-    CAPTURE(change);
-    const Image image =
-        render("dam_break", "planted_change", entries().at(0).at("frame"), {change});
-    CHECK(difference(image, golden).share > share_allowed);
-  }
+TEST_CASE("wrong normals are beyond the tolerance of golden tests") {
+  Mesh mesh = gl::test::box({0.02f, 0.01f, 0.02f}, {1.58f, 0.25f, 0.58f});
+  gl::test::append(mesh, gl::test::ball({0.5f, 0.55f, 0.3f}, 0.16f));
+  gl::Renderer renderer(160, 90, {}, {}, {{0.f, 0.f, 0.f}, {1.6f, 1.f, 0.6f}});
+  const gl::View view{.position = {2.3f, 1.3f, 2.4f}, .target = {0.75f, 0.35f, 0.25f}};
+  const Image right = renderer.draw(mesh, view);
+  const app::GoldenList list;
+  const app::Limits limits{.max_flip = list.max_flip, .max_changed = list.max_changed};
+  const auto is_seen = [&](const auto& change) {
+    Mesh wrong = mesh;
+    for (glm::vec3& normal : wrong.normals)
+      normal = change(normal);
+    const auto pair = compare::compare(right, renderer.draw(wrong, view), list.threshold);
+    return !app::broken_limits(pair.tally.metrics(), limits).empty();
+  };
+  CHECK_FALSE(is_seen([](glm::vec3 n) { return n; }));
+  CHECK(is_seen([](glm::vec3 n) { return -n; }));
+  CHECK(is_seen([](glm::vec3 n) { return glm::vec3(n.x, n.z, n.y); }));
+  CHECK(is_seen([](glm::vec3 n) {  // 20 degrees about z
+    return glm::vec3(glm::rotate(glm::mat4(1), glm::radians(20.f), {0, 0, 1}) * glm::vec4(n, 0));
+  }));
 }

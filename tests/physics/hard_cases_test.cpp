@@ -108,7 +108,7 @@ void on_walls(SolverType solver) {
     s.fluid.volumes.push_back({Sphere{at, 0.4f * d}});
   const Invariants end = watch(s, 0.6, 60);
   CHECK(end.end.positions.size() == 5);
-  check("lone particles on walls", s, end, {.energy = 0.02});  // measured: 0.013; the aim is 0.005
+  check("lone particles on walls", s, end, {.energy = 0.01});  // measured: 0.0065; the aim is 0.005
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ void block_on_walls(SolverType solver) {
   s.fluid.volumes = {{Box{glm::vec3(-0.5f * d), glm::vec3(9.5f * d)}}};
   CHECK(fill_volumes(s).positions.size() == 1000);
   const Invariants end = watch(s, 1, 30);
-  check("a block on walls", s, end, {.energy = 0.01, .compression_at_start = true});
+  check("a block on walls", s, end, {.compression_at_start = true});
   CHECK(end.max_speed < 6);  // what falling gives it, not an explosion
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("hard: two blocks that overlap by 30 %", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = overlap(solver);
   const Invariants end = watch(s, 2, 60);
-  check("blocks that overlap by 30 %", s, end, {.energy = 0.01, .compression_at_start = true});
+  check("blocks that overlap by 30 %", s, end, {.compression_at_start = true});
   if (solver == SolverType::pcisph)  // compressible water has elastic energy to let out
     CHECK(end.max_speed < 6);
 }
@@ -158,7 +158,7 @@ void filled_twice(SolverType solver) {
   const Volume block{Box{{0.3f, 0, 0.3f}, {0.7f, 0.4f, 0.7f}}};
   s.fluid.volumes = {block, block};
   const Invariants end = watch(s, 1, 30);
-  check("a block filled twice", s, end, {.energy = 0.01, .compression_at_start = true});
+  check("a block filled twice", s, end, {.compression_at_start = true});
   if (solver == SolverType::pcisph)  // compressible water has elastic energy to let out
     CHECK(end.max_speed < 6);
 }
@@ -182,7 +182,7 @@ void sheet(SolverType solver) {
                              : Volume{Box{{0, 0.5f, 0}, {1, 0.5f + d, 1}}}};
   const Invariants end = watch(s, 1, 60);
   CHECK(end.end.positions.size() == (upright ? 320 : 400));
-  // Measured: 0.0057 of energy made; the aim is 0.005.
+  // Measured: 0.0081 of energy made; the aim is 0.005.
   check(upright ? "an upright sheet" : "a flat sheet", s, end, {.energy = 0.01});
 }
 

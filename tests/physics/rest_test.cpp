@@ -83,6 +83,22 @@ TEST_CASE("steps that change length from one to the next leave a tank at rest") 
   CHECK(largest < 0.5);
 }
 
+TEST_CASE("a tank at rest gains no energy, however short the steps") {
+  Settings s = tank(SolverType::pcisph);
+  s.solver.mean_compression = 1e-3f;
+  s.fluid.viscosity = 0.01f;
+  s.solver.max_time_step = GENERATE(2e-4f, 1e-3f, 5e-3f);
+  Simulation simulation(s);
+  const FrameStatistics start = simulation.advance_to(0);
+  double most = 0;
+  for (int k = 1; k <= 10; ++k) {
+    const FrameStatistics f = simulation.advance_to(0.02 * k);
+    most = std::max(most, f.kinetic_energy + f.potential_energy);
+  }
+  CAPTURE(s.solver.max_time_step);
+  CHECK(most <= 1.0005 * start.potential_energy);
+}
+
 TEST_CASE("water dropped into a corner stays inside, keeps its number and its density") {
   Settings s;
   s.fluid.spacing = 0.05f;

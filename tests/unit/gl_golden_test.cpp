@@ -1,15 +1,12 @@
 // Pictures of small fixed scenes against those in tests/golden/renderer. Set
 // SPINDRIFT_UPDATE_GOLDENS=1 to write those anew.
-#include <fmt/format.h>
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 
 #include "gl_support.hpp"
+#include "render/compare/metrics.hpp"
+#include "render/output/output.hpp"
 
 using namespace spindrift;
 using namespace spindrift::gl;
@@ -22,49 +19,22 @@ constexpr int tolerance = 5;  // of 255, per channel
 constexpr double share_allowed =
     0.001;  // of the pixels may be off by more: edges, on other drivers
 
-void write_png(const std::filesystem::path& path, const Image& image) {
-  std::filesystem::create_directories(path.parent_path());
-  REQUIRE(stbi_write_png(path.c_str(), image.width, image.height, 3, image.pixels.data(),
-                         3 * image.width));
-}
-
-Image read_png(const std::filesystem::path& path) {
-  Image image;
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load(path.c_str(), &image.width, &image.height, &channels, 3), stbi_image_free);
-  if (pixels) {
-    image.pixels.assign(pixels.get(), pixels.get() + 3 * image.width * image.height);
-  }
-  return image;
-}
-
 void check_golden(const std::string& name, const Image& image) {
-  const std::filesystem::path golden_path =
-      std::filesystem::path(SOURCE_DIR) / "tests/golden/renderer" / (name + ".png");
+  namespace fs = std::filesystem;
+  const fs::path golden = fs::path(SOURCE_DIR) / "tests/golden/renderer" / (name + ".png");
   if (std::getenv("SPINDRIFT_UPDATE_GOLDENS")) {
-    write_png(golden_path, image);
+    output::write_png(golden, image);
     return;
   }
-  const Image golden = read_png(golden_path);
-  bool same = golden.width == image.width && golden.height == image.height;
-  int off = 0, worst = 0;
-  for (int i = 0; same && i < width * height; ++i) {
-    const int d =
-        difference(pixel(image, i % width, i / width), pixel(golden, i % width, i / width));
-    worst = std::max(worst, d);
-    off += d > tolerance;
+  const auto pair = compare::compare(output::read_png(golden), image, tolerance);
+  const double changed = pair.tally.metrics().changed;
+  const fs::path result = fs::path(RESULT_DIR) / "golden_results" / (name + ".png");
+  if (changed > share_allowed) {
+    fs::create_directories(result.parent_path());
+    output::write_png(result, image);
   }
-  same = same && off <= share_allowed * width * height;
-  if (!same) {
-    const std::filesystem::path result =
-        std::filesystem::path(RESULT_DIR) / "golden_results" / (name + ".png");
-    write_png(result, image);
-    FAIL(fmt::format(
-        "{} pixels differ from {} by more than {}, the worst by {}; the picture is in {}",
-        golden.pixels.empty() ? "all" : std::to_string(off), golden_path.string(), tolerance, worst,
-        result.string()));
-  }
+  INFO(golden << " differs; the picture is in " << result);
+  CHECK(changed <= share_allowed);
 }
 
 Stage stage() {

@@ -1,0 +1,96 @@
+#include "app/golden_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/scene_document.hpp"
+#include "app/scene_reader.hpp"
+
+namespace spindrift::app {
+namespace {
+
+bool names_a_folder(const std::string& name) {
+  const char* accepted = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  return !name.empty() && name.find_first_not_of(accepted) == std::string::npos;
+}
+
+/// Completes and checks the list's entries in their order.
+class Completion {
+ public:
+  Completion(const SceneDocument& document, const std::filesystem::path& folder, GoldenList& list)
+      : document_(document), folder_(folder), list_(list) {}
+
+  void complete(std::size_t k, const Overrides& overrides) {
+    path_ = child_path("goldens", k);
+    name(k);
+    read(overrides);
+    check_frames();
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const {
+    const std::string path = child_path(path_, key);
+    throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
+  }
+
+  void name(std::size_t k) {
+    Golden& golden = list_.goldens[k];
+    golden_ = &golden;
+    if (golden.name.empty())
+      golden.name = std::filesystem::path(golden.scene).stem().string();
+    if (!names_a_folder(golden.name))
+      fail("name", fmt::format("\"{}\" can't name a folder; accepted: letters, digits, _ and -",
+                               golden.name));
+    for (std::size_t other = 0; other < k; ++other)
+      if (list_.goldens[other].name == golden.name)
+        fail("name", fmt::format("\"{}\" is the name of {} already", golden.name,
+                                 child_path("goldens", other)));
+  }
+
+  void read(const Overrides& overrides) {
+    Overrides all = golden_->set;
+    all.push_back(fmt::format("video.width={}", golden_->width.value_or(list_.width)));
+    all.push_back(fmt::format("video.height={}", golden_->height.value_or(list_.height)));
+    all.insert(all.end(), overrides.begin(), overrides.end());
+    try {
+      golden_->resolved = read_scene(folder_ / golden_->scene, all);
+    } catch (const SceneError& error) {
+      fail("scene", error.what());
+    }
+  }
+
+  void check_frames() const {
+    if (golden_->frames.empty())
+      fail("frames", "empty; give the number of a frame at least");
+    const int last = golden_->resolved.video.frame_count() - 1;
+    for (const int frame : golden_->frames)
+      if (frame > last)
+        fail("frames", fmt::format("{} is beyond the scene's last frame, {}", frame, last));
+    std::sort(golden_->frames.begin(), golden_->frames.end());
+  }
+
+  const SceneDocument& document_;
+  const std::filesystem::path& folder_;
+  GoldenList& list_;
+  Golden* golden_ = nullptr;
+  std::string path_;
+};
+
+}  // namespace
+
+GoldenList read_golden_list(const std::filesystem::path& file, const Overrides& overrides) {
+  const SceneDocument document(scene_text(file), file.string());
+  GoldenList list;
+  read_section(document, list);
+  if (list.goldens.empty())
+    throw SceneError(
+        fmt::format("{}: goldens: empty; give a scene at least", document.place_of("goldens")));
+  const std::filesystem::path folder = file.parent_path();
+  Completion completion(document, folder, list);
+  for (std::size_t k = 0; k < list.goldens.size(); ++k)
+    completion.complete(k, overrides);
+  return list;
+}
+
+}  // namespace spindrift::app

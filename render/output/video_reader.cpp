@@ -1,0 +1,134 @@
+// Videos to pictures through libav: libavformat reads the file, libavcodec decompresses, libswscale
+// turns what comes out into RGB.
+
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "render/output/libav.hpp"
+#include "render/output/output.hpp"
+
+namespace spindrift::output {
+namespace {
+
+/// Videos that do not say what their colours are: those of high definition are BT.709, smaller ones
+/// BT.601.
+int color_space_of(const AVFrame& frame) {
+  if (frame.colorspace == AVCOL_SPC_UNSPECIFIED)
+    return frame.height >= 720 ? SWS_CS_ITU709 : SWS_CS_ITU601;
+  return frame.colorspace;
+}
+
+}  // namespace
+
+struct VideoReader::Impl {
+  explicit Impl(const std::filesystem::path& name) : file(name), packet(owned(av_packet_alloc())) {
+    av_log_set_level(AV_LOG_FATAL);  // what goes wrong is said by our exceptions
+    open_file();
+    open_decoder();
+  }
+
+  int check(int result) const {
+    if (result < 0)
+      throw std::runtime_error("cannot read " + file.string() + " as a video: " + reason(result));
+    return result;
+  }
+
+  void open_file() {
+    // "file:" lest a colon in the path be read as a protocol; no file may lead to another place.
+    const std::string url = "file:" + file.string();
+    AVFormatContext* opened = nullptr;
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "protocol_whitelist", "file", 0);
+    const int result = avformat_open_input(&opened, url.c_str(), nullptr, &options);
+    av_dict_free(&options);
+    check(result);
+    demuxer.reset(opened);
+    check(avformat_find_stream_info(demuxer.get(), nullptr));
+  }
+
+  void open_decoder() {
+    const AVCodec* codec = nullptr;
+    stream = check(av_find_best_stream(demuxer.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0));
+    decoder = owned(avcodec_alloc_context3(codec));
+    check(avcodec_parameters_to_context(decoder.get(), demuxer->streams[stream]->codecpar));
+    check(avcodec_open2(decoder.get(), codec, nullptr));
+  }
+
+  /// Gives the decoder the next piece of the video, or its end.
+  void feed() {
+    for (;;) {
+      const int result = av_read_frame(demuxer.get(), packet.get());
+      if (result == AVERROR_EOF) {
+        check(avcodec_send_packet(decoder.get(), nullptr));
+        return;
+      }
+      check(result);
+      const bool pictures = packet->stream_index == stream;
+      const int sent = pictures ? avcodec_send_packet(decoder.get(), packet.get()) : 0;
+      av_packet_unref(packet.get());
+      if (pictures) {
+        check(sent);
+        return;
+      }
+    }
+  }
+
+  std::optional<Image> next() {
+    const Owned<AVFrame> frame = owned(av_frame_alloc());
+    for (;;) {
+      const int result = avcodec_receive_frame(decoder.get(), frame.get());
+      if (result == AVERROR_EOF)
+        return std::nullopt;
+      if (result != AVERROR(EAGAIN)) {
+        check(result);
+        return to_rgb(*frame);
+      }
+      feed();
+    }
+  }
+
+  Image to_rgb(const AVFrame& frame) {
+    constexpr int flags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT;
+    converter.reset(sws_getCachedContext(converter.release(), frame.width, frame.height,
+                                         AVPixelFormat(frame.format), frame.width, frame.height,
+                                         AV_PIX_FMT_RGB24, flags, nullptr, nullptr, nullptr));
+    if (!converter)
+      throw std::runtime_error("cannot read " + file.string() +
+                               " as a video: unknown pixel format");
+    constexpr int full = 1, one = 1 << 16;  // contrast and saturation, as fixed point
+    sws_setColorspaceDetails(converter.get(), sws_getCoefficients(color_space_of(frame)),
+                             frame.color_range == AVCOL_RANGE_JPEG,
+                             sws_getCoefficients(SWS_CS_ITU709), full, 0, one, one);
+    // Rows with room behind them, which libswscale may write into.
+    const Owned<AVFrame> rgb = owned(av_frame_alloc());
+    rgb->format = AV_PIX_FMT_RGB24;
+    rgb->width = frame.width;
+    rgb->height = frame.height;
+    check(av_frame_get_buffer(rgb.get(), 0));
+    sws_scale(converter.get(), frame.data, frame.linesize, 0, frame.height, rgb->data,
+              rgb->linesize);
+    Image image(frame.width, frame.height);
+    const auto row = static_cast<std::size_t>(3 * image.width);
+    for (int y = 0; y < image.height; ++y)
+      std::memcpy(&image.pixels[row * y], rgb->data[0] + y * rgb->linesize[0], row);
+    return image;
+  }
+
+  std::filesystem::path file;
+  Owned<AVFormatContext> demuxer;
+  Owned<AVCodecContext> decoder;
+  Owned<SwsContext> converter;
+  Owned<AVPacket> packet;
+  int stream = 0;
+};
+
+VideoReader::VideoReader(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {}
+
+VideoReader::~VideoReader() = default;
+
+std::optional<Image> VideoReader::next() {
+  return impl_->next();
+}
+
+}  // namespace spindrift::output

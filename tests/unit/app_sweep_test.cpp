@@ -1,0 +1,283 @@
+// Sweeps: which runs there are, how tasks share a machine, and what the runs are ranked by.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "app/sweep_file.hpp"
+#include "app/sweep_folder.hpp"
+#include "app/sweep_plan.hpp"
+#include "app/sweep_results.hpp"
+#include "app/task_pool.hpp"
+#include "output_support.hpp"
+
+using namespace spindrift;
+using namespace spindrift::app;
+using Catch::Matchers::Contains;
+using output_test::TemporaryFolder;
+
+namespace {
+
+const std::filesystem::path source = SOURCE_DIR;
+const std::filesystem::path small_scene = source / "scenes/small_dam_break.json";
+const std::atomic<bool> never{false};
+
+SweepPlan plan_of(std::vector<std::string> sets, const std::string& reference = "") {
+  SweepRequest request{.scene = small_scene, .reference = reference};
+  for (const std::string& set : sets)
+    request.axes.push_back(parse_sweep_axis(set));
+  return plan_sweep(request);
+}
+
+std::vector<std::string> names_of(const SweepPlan& plan) {
+  std::vector<std::string> names;
+  for (const SweepRun& run : plan.runs)
+    names.push_back(run.name);
+  return names;
+}
+
+std::optional<SweepRequest> read_text(const TemporaryFolder& folder, const std::string& text) {
+  const auto file = folder / "sweep.json";
+  std::ofstream(file) << text;
+  return read_sweep_file(file);
+}
+
+}  // namespace
+
+TEST_CASE("a grid runs every combination, named by its values") {
+  const SweepPlan plan = plan_of(
+      {"fluid.viscosity=0.1,1e-3", "video.duration=0.5", "look.liquid_color=[1,0,0],[0, 0.5, 1]"});
+  CHECK(names_of(plan) == std::vector<std::string>{"viscosity=0.1,liquid_color=1_0_0",
+                                                   "viscosity=0.1,liquid_color=0_0.5_1",
+                                                   "viscosity=0.001,liquid_color=1_0_0",
+                                                   "viscosity=0.001,liquid_color=0_0.5_1"});
+  CHECK(plan.keys == std::vector<std::string>{"fluid.viscosity", "look.liquid_color"});
+  CHECK(plan.runs[2].scene.simulation.fluid.viscosity == 0.001f);
+  CHECK(plan.runs[3].scene.look.liquid_color.y == 0.5f);
+  for (const SweepRun& run : plan.runs)
+    CHECK(run.scene.video.duration == 0.5);
+}
+
+TEST_CASE("runs that differ in the picture alone share a simulation") {
+  const SweepPlan plan = plan_of({"fluid.viscosity=0.1,1", "surface.smoothing=0,5"});
+  CHECK(plan.runs[0].simulation == plan.runs[1].simulation);
+  CHECK(plan.runs[2].simulation == plan.runs[3].simulation);
+  CHECK(plan.runs[0].simulation != plan.runs[2].simulation);
+}
+
+TEST_CASE(
+    "runs whose probes are read between frames share a simulation only with the same probes") {
+  const std::string probes =
+      R"(probes=[{"name":"a","volume":{}}],[{"name":"b","front":{"direction":"+x"}}])";
+  const SweepPlan each_frame = plan_of({probes}), between = plan_of({probes, "probes_rate=200"});
+  CHECK(each_frame.runs[0].simulation == each_frame.runs[1].simulation);
+  CHECK(between.runs[0].simulation != between.runs[1].simulation);
+}
+
+TEST_CASE("keys with the same last part are named in full, and odd values by a hash") {
+  const SweepPlan plan = plan_of({"domain.max[1]=0.75,0.8", "fluid.viscosity=0.1,0.2"});
+  CHECK(plan.runs[0].name == "max[1]=0.75,viscosity=0.1");
+  const SweepPlan both = plan_of(
+      {"fluid.viscosity=0.1,0.2", "obstacles[0].wall_viscosity=0,1", "fluid.wall_viscosity=0,1"});
+  CHECK(both.runs[0].name == "viscosity=0.1,obstacles[0].wall_viscosity=0,fluid.wall_viscosity=0");
+  const SweepPlan odd = plan_of({R"(name="a b","c d")"});
+  CHECK(odd.runs[0].name.find_first_of("/ ") == std::string::npos);
+  CHECK(odd.runs[0].name != odd.runs[1].name);
+}
+
+TEST_CASE("a sweep that makes no sense is refused") {
+  CHECK_THROWS_WITH(plan_of({"fluid.viscosity=1"}), Contains("nothing varies"));
+  CHECK_THROWS_WITH(plan_of({"fluid.viscosity=1,1.0"}), Contains("two runs have the same values"));
+  CHECK_THROWS_WITH(plan_of({"fluid.viscosity=1,2", "fluid.viscosity=3,4"}),
+                    Contains("fluid.viscosity is varied twice"));
+  CHECK_THROWS_WITH(plan_of({"fluid.viscosity=1,thick"}),
+                    Contains("--set fluid.viscosity=1,thick: fluid.viscosity: expected a number"));
+  CHECK_THROWS_WITH(
+      plan_of({"fluid.viscosity=1,2", "domain.max[0]=1.2,0.4"}),
+      Contains("is outside the domain") && Contains("(in the run viscosity=1,max[0]=0.4)"));
+  CHECK_THROWS_WITH(parse_sweep_target("front_m"), Contains("METRIC=NUMBER"));
+  CHECK_THROWS_WITH(parse_sweep_target("front_m=far"), Contains("METRIC=NUMBER"));
+}
+
+TEST_CASE("the reference is found by its name or by values that it alone has") {
+  const std::vector<std::string> grid{"fluid.viscosity=0.1,1", "surface.smoothing=0,5"};
+  CHECK(plan_of(grid, "viscosity=1,smoothing=0").reference == 2);
+  CHECK(plan_of(grid, "smoothing=0,viscosity=1.0").reference == 2);
+  CHECK(plan_of(grid, "surface.smoothing=5,fluid.viscosity=0.1").reference == 1);
+  CHECK_THROWS_WITH(plan_of(grid, "viscosity=1"), Contains("2 runs have these values"));
+  CHECK_THROWS_WITH(plan_of(grid, "viscosity=2"), Contains("there is no such run"));
+}
+
+TEST_CASE("a Latin hypercube meets each part of each range once, and a seed gives one hypercube") {
+  const std::vector<SampledRange> ranges{{.key = "a", .min = 0, .max = 1},
+                                         {.key = "b", .min = 1e-4, .max = 1, .logarithmic = true},
+                                         {.key = "c", .min = 1, .max = 20, .whole = true}};
+  const int n = 20;
+  const SweepAxis axis = latin_hypercube(ranges, n, 7);
+  std::set<int> a, b, c;
+  for (const SweepValues& row : axis) {
+    a.insert(std::min(n - 1, static_cast<int>(row[0].value.get<double>() * n)));
+    b.insert(
+        std::min(n - 1, static_cast<int>((std::log10(row[1].value.get<double>()) + 4) / 4 * n)));
+    REQUIRE(row[2].value.is_number_integer());
+    c.insert(row[2].value.get<int>());
+  }
+  CHECK(a.size() == n);
+  CHECK(b.size() == n);
+  CHECK(c.size() == n);
+  CHECK(*c.begin() == 1);
+  CHECK(*c.rbegin() == 20);
+  const auto values = [&](unsigned seed) {
+    std::string text;
+    for (const SweepValues& row : latin_hypercube(ranges, n, seed))
+      for (const SweepValue& v : row)
+        text += v.value.dump() + " ";
+    return text;
+  };
+  CHECK(values(7) == values(7));
+  CHECK(values(7) != values(8));
+}
+
+TEST_CASE("a sweep file says what varies; grid, list and hypercube are combined") {
+  const TemporaryFolder folder;
+  const auto request = read_text(folder, R"({
+    "scene": "a.json", "set": {"video.duration": 1},
+    "grid": {"fluid.viscosity": [1, 2]},
+    "list": [{"look.style": "mesh"}, {"look.style": "particles", "look.color_by": "density"}, {}],
+    "latin_hypercube": {"samples": 4, "seed": 3, "ranges": {"solver.cfl": {"min": 0.1, "max": 0.4}}},
+    "reference": "viscosity=1", "targets": {"steps": 100}, "times": [0.1, 0.5]
+  })");
+  REQUIRE(request);
+  CHECK(request->scene == folder / "a.json");
+  std::vector<std::size_t> sizes;
+  for (const SweepAxis& axis : request->axes)
+    sizes.push_back(axis.size());
+  CHECK(sizes == std::vector<std::size_t>{1, 2, 3, 4});
+  CHECK(request->targets.front().metric == "steps");
+  CHECK(request->times == std::vector<double>{0.1, 0.5});
+}
+
+TEST_CASE("a scene is no sweep") {
+  CHECK_FALSE(read_sweep_file(small_scene));
+  CHECK_THROWS_WITH(read_sweep_file("no_such_file.json"), Contains("there is no such file"));
+}
+
+TEST_CASE("a wrong sweep file is refused with the place and what is accepted") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    CHECK_THROWS_WITH(read_text(folder, text), Contains(message));
+  };
+  refused(R"({"grid": {"a": [1]}})", "\"scene\" is missing");
+  refused(R"({"scene": "a.json", "lst": []})",
+          "sweep.json:1:21: lst: unknown key; did you mean \"list\"?");
+  refused(R"({"scene": 3})", "sweep.json:1:2: scene: expected text, found 3");
+  refused(R"({"scene": "a", "grid": {"fluid.viscosity": 3}})",
+          "sweep.json:1:25: grid.fluid.viscosity: expected a list [...]");
+  refused(R"({"scene": "a", "list": [3]})", "list[0]: expected an object");
+  refused(R"({"scene": "a", "latin_hypercube": {"samples": 1.5, "ranges": {}}})",
+          "latin_hypercube.samples: 1.5 is out of range; accepted: whole numbers, 2 ... 10000");
+  refused(
+      R"({"scene": "a", "latin_hypercube": {"samples": 3, "ranges": {"a": {"min": 1, "max": 2, "scale": "log"}}}})",
+      "unknown value \"log\"; accepted: linear, logarithmic");
+  refused(R"({"scene": "a", "times": ["now"]})", "times: expected a number");
+}
+
+TEST_CASE("the sweeps that ship can be run") {
+  int shipped = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source / "scenes/sweeps")) {
+    if (entry.path().filename() == "sweep.schema.json")
+      continue;
+    INFO(entry.path().string());
+    const auto request = read_sweep_file(entry.path());
+    REQUIRE(request);
+    const SweepPlan plan = plan_sweep(*request);
+    CHECK_NOTHROW(check_targets(plan));
+    CHECK(plan.runs.size() > 4);
+    ++shipped;
+  }
+  CHECK(shipped >= 2);
+}
+
+TEST_CASE("scenes/sweeps/sweep.schema.json is the program's") {
+  INFO("to make it anew: ./spindrift schema --sweep > scenes/sweeps/sweep.schema.json");
+  std::ifstream file(source / "scenes/sweeps/sweep.schema.json");
+  const std::string shipped{std::istreambuf_iterator<char>(file), {}};
+  CHECK(shipped == to_text(sweep_schema()));
+}
+
+TEST_CASE("few runs are compared each with each, many with the reference alone") {
+  CHECK(pairs_of(plan_of({"fluid.viscosity=1,2,3", "surface.smoothing=0,1,2"})).size() == 36);
+  const std::vector<std::string> many{"fluid.viscosity=1,2,3,4", "surface.smoothing=0,1,2,3"};
+  CHECK(pairs_of(plan_of(many)).empty());
+  const auto pairs = pairs_of(plan_of(many, "viscosity=2,smoothing=1"));
+  CHECK(pairs.size() == 15);
+  CHECK(std::all_of(pairs.begin(), pairs.end(), [](const SweepPair& p) { return p.all_frames; }));
+  CHECK(pairs_of(plan_of({"video.width=160,320"})).empty());
+}
+
+TEST_CASE("tasks run after those that they need, and never need more memory than there is") {
+  std::mutex mutex;
+  std::uint64_t bytes = 0, most = 0;
+  int running = 0, most_running = 0;
+  std::vector<int> order;
+  std::vector<Task> tasks;
+  for (int k = 0; k < 12; ++k) {
+    const std::uint64_t need = 10 + 10 * (k % 3);
+    const auto run = [&, k, need] {
+      {
+        const std::lock_guard lock(mutex);
+        most = std::max(most, bytes += need);
+        most_running = std::max(most_running, ++running);
+        order.push_back(k);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      const std::lock_guard lock(mutex);
+      bytes -= need;
+      --running;
+      return std::string();
+    };
+    tasks.push_back({.label = "", .run = run, .bytes = need});
+  }
+  tasks[4].after = {3};
+  tasks[11].after = {4, 10};
+  const auto results =
+      run_tasks(tasks, {.at_once = 4, .bytes = 50}, never, [](const PoolStatus&) {});
+  CHECK(std::all_of(results.begin(), results.end(), [](const TaskResult& r) { return r.done; }));
+  CHECK(order.size() == 12);
+  CHECK(most <= 50);
+  CHECK(most_running > 1);
+  CHECK(most_running <= 4);
+  const auto place = [&](int k) { return std::find(order.begin(), order.end(), k); };
+  CHECK(place(3) < place(4));
+  CHECK(place(4) < place(11));
+}
+
+TEST_CASE("a task that fails takes those that need it with it, and no others") {
+  const auto good = [] { return std::string(); };
+  int begun = 0;
+  const std::vector<Task> tasks{
+      {.label = "", .run = good},
+      {.label = "", .run = [] { return std::string("no"); }},
+      {.label = "", .run = [&] { return ++begun, std::string(); }, .after = {1}},
+      {.label = "", .run = [&] { return ++begun, std::string(); }, .after = {2}},
+      {.label = "", .run = []() -> std::string { throw std::runtime_error("thrown"); }},
+      {.label = "", .run = good, .bytes = 2'000'000'000},
+      {.label = "", .run = good, .after = {0}}};
+  for (const int at_once : {1, 3}) {
+    const auto results = run_tasks(tasks, {.at_once = at_once, .bytes = 1'000'000'000}, never,
+                                   [](const PoolStatus&) {});
+    CHECK(results[0].done);
+    CHECK(results[1].failure == "no");
+    CHECK(results[2].failure == "no");
+    CHECK(results[3].failure == "no");
+    CHECK(begun == 0);
+    CHECK(results[4].failure == "thrown");
+    CHECK_THAT(results[5].failure, Contains("needs about 2.0 GB of memory, 1.0 GB are free"));
+    CHECK(results[6].done);
+  }
+}
