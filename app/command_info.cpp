@@ -9,6 +9,7 @@
 #include "app/report.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/output/output.hpp"
+#include "sim/backend_choice.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -40,14 +41,15 @@ int run_info(bool json) {
   const nlohmann::ordered_json info{
       {"version", SPINDRIFT_VERSION},  {"compiler", SPINDRIFT_COMPILER},
       {"processor", processor_name()}, {"threads", omp_get_max_threads()},
-      {"can_draw", can_draw},          {"renderer", drawn_by},
-      {"encoder", encoder()}};
+      {"cuda", sim::cuda_device()},    {"can_draw", can_draw},
+      {"renderer", drawn_by},          {"encoder", encoder()}};
   if (json) {
     fmt::print("{}\n", info.dump(2));
     return done;
   }
   fmt::print("spindrift   {}, {}\n", SPINDRIFT_VERSION, SPINDRIFT_COMPILER);
   fmt::print("processor   {}, {} threads\n", processor_name(), omp_get_max_threads());
+  fmt::print("cuda        {}\n", sim::cuda_device());
   fmt::print("renderer    {}{}\n", can_draw ? "" : "none: ", drawn_by);
   fmt::print("encoder     {}\n", info["encoder"].get<std::string>());
   return done;

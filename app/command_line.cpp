@@ -29,6 +29,7 @@ struct Typed {
   std::string from_particles;
   std::vector<std::string> exports;
   Overrides overrides;
+  std::string backend;
   int threads = 0;
   bool no_cache = false;
   bool quiet = false;
@@ -46,6 +47,14 @@ struct Typed {
   bool of_sweeps = false;  // schema
 };
 
+/// What --set says, and options that stand for it.
+Overrides all_overrides(const Typed& typed) {
+  Overrides all = typed.overrides;
+  if (!typed.backend.empty())
+    all.push_back("solver.backend=" + typed.backend);
+  return all;
+}
+
 /// Misuse of the command line; the message is for people.
 class UsageError : public std::runtime_error {
  public:
@@ -53,6 +62,8 @@ class UsageError : public std::runtime_error {
 };
 
 void add_common_options(CLI::App& command, Typed& typed) {
+  const std::vector<std::string> backends(value_names<sim::Backend>.begin(),
+                                          value_names<sim::Backend>.end());
   command.add_option("--set", typed.overrides, "Set a scene's value, as in fluid.viscosity=0.05")
       ->type_name("KEY=VALUE")
       ->expected(1)
@@ -60,6 +71,11 @@ void add_common_options(CLI::App& command, Typed& typed) {
   command.add_option("--threads", typed.threads, "Threads; all of the machine's if left out")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
+  command
+      .add_option("--backend", typed.backend,
+                  fmt::format("What computes, as solver.backend: {}", fmt::join(backends, ", ")))
+      ->type_name("NAME")
+      ->check(CLI::IsMember(backends));
   command.add_flag("--quiet", typed.quiet, "Print nothing but errors");
   command.add_flag("--json", typed.json, "Print for machines");
 }
@@ -169,7 +185,9 @@ std::string command_as_typed(int argc, const char* const* argv) {
 }
 
 int run_typed_render(const Typed& typed, bool simulate_only, const std::string& hint) {
-  const Scene scene = read_scene(typed.scene, typed.overrides);
+  const Scene scene = read_scene(typed.scene, all_overrides(typed));
+  if (const std::string refused = sim::why_refused(scene.simulation); !refused.empty())
+    throw UsageError(refused);
   const auto exports = [&](std::string_view what) {
     return std::find(typed.exports.begin(), typed.exports.end(), what) != typed.exports.end();
   };
@@ -206,7 +224,7 @@ int run_typed_bench(const Typed& typed) {
   BenchPlan& plan = options.plan;
   plan = default_plan(typed.quick);
   plan.scenes.assign(typed.scenes.begin(), typed.scenes.end());
-  plan.overrides = typed.overrides;
+  plan.overrides = all_overrides(typed);
   plan.plane = typed.plane || !chosen;
   plan.particle_scaling = typed.scaling;
   plan.thread_scaling = typed.threads_scaling;
@@ -329,7 +347,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
     return run_typed_render(typed, simulate->parsed(), command_as_typed(argc, argv));
   }
   if (check->parsed()) {
-    return run_check(read_scene(typed.scene, typed.overrides), typed.threads, typed.quiet,
+    return run_check(read_scene(typed.scene, all_overrides(typed)), typed.threads, typed.quiet,
                      typed.json);
   }
   if (bench->parsed()) {

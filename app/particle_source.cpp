@@ -156,6 +156,7 @@ void ParticleSource::finish(RunRecord& record) const {
   record.frames_read_once = readings_name_.empty() ? 0 : read_once_;
   if (!simulation_)
     return;
+  record.backend = simulation_->backend();
   record.boundary_particles = simulation_->boundary_particle_count();
   record.simulation_bytes = simulation_->memory_bytes();
   record.simulation_phases = simulation_->phase_times();

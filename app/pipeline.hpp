@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace spindrift::app {
 struct RunRecord {
   std::size_t particles = 0;  ///< the most at once
   std::size_t boundary_particles = 0;
-  std::size_t simulation_bytes = 0;  ///< 0: all particles came from the cache
+  std::size_t simulation_bytes = 0;           ///< 0: all particles came from the cache
+  std::optional<sim::BackendChoice> backend;  ///< none: all particles came from the cache
   int first_frame = 0;
   int frames_wanted = 0;
   int frames_simulated = 0;  ///< the rest came from the cache

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "app/progress.hpp"
+#include "app/scene_values.hpp"
 #include "render/output/output.hpp"
 #include "sim/motion.hpp"
 
@@ -102,6 +103,9 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) 
   json["particles"] = record.particles;
   json["boundary_particles"] = record.boundary_particles;
   json["simulation_bytes"] = record.simulation_bytes;
+  if (record.backend)
+    json["backend"] = {{"name", json_of(record.backend->backend)},
+                       {"reason", record.backend->reason}};
   json["first_frame"] = record.first_frame;
   json["frames_wanted"] = record.frames_wanted;
   json["frames_finished"] = record.frames_finished;

@@ -15,6 +15,8 @@ namespace spindrift::app {
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::SolverType>{"pcisph", "sph"};
 template <>
+inline constexpr std::array<std::string_view, 3> value_names<sim::Backend>{"auto", "cpu", "cuda"};
+template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::PressureKernel>{"cubic", "spiky"};
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<sim::Interpolation>{"smooth",
@@ -233,6 +235,9 @@ inline constexpr auto table<sim::SolverSettings> = std::tuple{
     Field{"type", &sim::SolverSettings::type,
           "pcisph: predictive-corrective incompressible SPH; sph: basic SPH with an equation of "
           "state"},
+    Field{"backend", &sim::SolverSettings::backend,
+          "what computes: the processor (cpu), a GPU (cuda), or a GPU where there is one that can "
+          "(auto)"},
     Field{"pressure_kernel", &sim::SolverSettings::pressure_kernel,
           "kernel of the pressure gradient"},
     Field{"max_compression", &sim::SolverSettings::max_compression,

@@ -2,6 +2,7 @@
 
 #include "app/scene.hpp"
 #include "app/scene_values.hpp"
+#include "sim/backend_choice.hpp"
 #include "sim/shapes/mesh_body.hpp"
 
 namespace spindrift::app {
@@ -54,6 +55,10 @@ std::string simulation_hash(const Scene& scene) {
   for (std::size_t i = 0; i < scene.simulation.sinks.size(); ++i) {
     name_by_content(scene.simulation.sinks[i].shape, what["sinks"][i]);
   }
+  // The backends' particles differ by rounding; the processor's are not named.
+  what["solver"].erase("backend");
+  if (sim::choose_backend(scene.simulation).backend == sim::Backend::cuda)
+    what["solver"]["backend"] = "cuda";
   what["frames_per_second"] = scene.video.frames_per_second;
   if (!scene.probes.empty() && scene.probes_rate > 0)
     what["probes_rate"] = scene.probes_rate;  // steps end where probes are read

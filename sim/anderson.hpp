@@ -8,18 +8,57 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
-#include "sim/openmp/executor.hpp"
+#include "sim/backend.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+
+/// An unknown, and how wrong it is.
+struct AndersonPoint {
+  float iterate, residual;
+};
+
+/// The present iterates and residuals and those of the two steps before, to be combined.
+struct AndersonView {
+  const float *iterate, *last_iterate, *iterate_before;
+  const float *residual, *last_residual, *residual_before;
+  int used;                          ///< earlier steps in the combination
+  float last_weight, before_weight;  ///< θ₁ and θ₂
+
+  /// The best combination at i.
+  SPINDRIFT_HD AndersonPoint at(std::uint32_t i) const {
+    return {mixed(i, iterate, last_iterate, iterate_before),
+            mixed(i, residual, last_residual, residual_before)};
+  }
+
+  SPINDRIFT_HD float mixed(std::uint32_t i, const float* now, const float* last,
+                           const float* before) const {
+    float value = now[i];
+    if (used >= 1)
+      value -= last_weight * (now[i] - last[i]);
+    if (used >= 2)
+      value -= before_weight * (last[i] - before[i]);
+    return value;
+  }
+};
 
 class AndersonAcceleration {
  public:
-  struct Point {
-    float iterate, residual;
+  struct Products {
+    double rr = 0, lr = 0, ll = 0, br = 0, bl = 0, bb = 0;
+    SPINDRIFT_HD static Products of(double r, double last, double before) {
+      return {r * r, last * r, last * last, before * r, before * last, before * before};
+    }
+    SPINDRIFT_HD void join(const Products& o) {
+      rr += o.rr;
+      lr += o.lr;
+      ll += o.ll;
+      br += o.br;
+      bl += o.bl;
+      bb += o.bb;
+    }
   };
 
   /// Forgets all steps.
@@ -33,55 +72,40 @@ class AndersonAcceleration {
       iterates_[k].swap(iterates_[k - 1]);
       residuals_[k].swap(residuals_[k - 1]);
     }
-    for (ScalarField* field : {iterates_.data(), residuals_.data()})
+    for (ScalarField* field : {iterates_, residuals_})
       for (std::size_t k = 0; k <= memory; ++k)
         field[k].resize(count);
     float *p = iterates_[0].data(), *r0 = residuals_[0].data();
     const float *r1 = residuals_[1].data(), *r2 = residuals_[2].data();
     const int known = known_;
-    const Products sums = executor.reduce<Products>("accelerate", count, [&](std::uint32_t i) {
-      const Point point = point_of(i);
-      p[i] = point.iterate;
-      r0[i] = point.residual;
-      const float last = known >= 1 ? point.residual - r1[i] : 0.f;
-      const float before = known >= 2 ? r1[i] - r2[i] : 0.f;
-      return Products::of(point.residual, last, before);
-    });
+    const Products sums =
+        executor.reduce<Products>("accelerate", count, [=] SPINDRIFT_HD(std::uint32_t i) {
+          const AndersonPoint point = point_of(i);
+          p[i] = point.iterate;
+          r0[i] = point.residual;
+          const float last = known >= 1 ? point.residual - r1[i] : 0.f;
+          const float before = known >= 2 ? r1[i] - r2[i] : 0.f;
+          return Products::of(point.residual, last, before);
+        });
     combine(sums);
   }
 
-  /// The best combination at i.
-  Point at(std::uint32_t i) const {
-    const auto mixed = [&](const std::array<ScalarField, memory + 1>& f) {
-      float value = f[0][i];
-      if (used_ >= 1)
-        value -= last_weight_ * (f[0][i] - f[1][i]);
-      if (used_ >= 2)
-        value -= before_weight_ * (f[1][i] - f[2][i]);
-      return value;
-    };
-    return {mixed(iterates_), mixed(residuals_)};
+  AndersonView view() const {
+    return {iterates_[0].data(),
+            iterates_[1].data(),
+            iterates_[2].data(),
+            residuals_[0].data(),
+            residuals_[1].data(),
+            residuals_[2].data(),
+            used_,
+            last_weight_,
+            before_weight_};
   }
 
   std::size_t memory_bytes() const { return 2 * (memory + 1) * iterates_[0].memory_bytes(); }
 
  private:
   static constexpr std::size_t memory = 2;
-
-  struct Products {
-    double rr = 0, lr = 0, ll = 0, br = 0, bl = 0, bb = 0;
-    static Products of(double r, double last, double before) {
-      return {r * r, last * r, last * last, before * r, before * last, before * before};
-    }
-    void join(const Products& o) {
-      rr += o.rr;
-      lr += o.lr;
-      ll += o.ll;
-      br += o.br;
-      bl += o.bl;
-      bb += o.bb;
-    }
-  };
 
   void combine(const Products& s) {
     // A residual that grew has left the region where the steps told anything: start anew from here.
@@ -103,11 +127,11 @@ class AndersonAcceleration {
 
   static float weight(double w) { return static_cast<float>(std::clamp(w, -10., 10.)); }
 
-  std::array<ScalarField, memory + 1> iterates_, residuals_;  ///< the present ones first
+  ScalarField iterates_[memory + 1], residuals_[memory + 1];  ///< the present ones first
   int known_ = 0;                                             ///< earlier steps in memory
   int used_ = 0;                                              ///< of them in the combination
   float last_weight_ = 0, before_weight_ = 0;                 ///< θ₁ and θ₂
   double squared_residual_ = 0;                               ///< |rₖ|²
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact.hpp"
 #include "sim/lattice.hpp"
+#include "sim/open_faces.hpp"
 #include "sim/shapes.hpp"
+#include "sim/solid.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// A single layer has no second one behind it that would stop what has come through between two
@@ -238,12 +239,13 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
   const double flat = support.free_part([&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
   const double volume = 1 / lattice_kernel_sum(kernel, spacing, radius);
   const float share = flat_liquid_share(kernel, spacing, radius);
-  const ContactView contact{{settings.domain.min.x, settings.domain.min.y, settings.domain.min.z},
-                            {settings.domain.max.x, settings.domain.max.y, settings.domain.max.z},
-                            settings.obstacles.data(),
-                            settings.obstacles.size(),
-                            OpenFaces(settings.domain)};
-  const ContactView walls{contact.min, contact.max, nullptr, 0, contact.open};
+  const std::vector<Solid> solids = solids_of(settings.obstacles);
+  const OpenFaces faces(settings.domain);
+  const auto is_bare = [&](const Vec3<float>& p) { return faces.is_before(p, settings.domain); };
+  const auto is_free = [&](const Vec3<float>& p) {
+    return is_bare(p) && std::none_of(solids.begin(), solids.end(),
+                                      [&](const Solid& solid) { return contains(solid, p); });
+  };
   solid_.resize(count_);
   const Vec3Arrays position = position_.view();
 #pragma omp parallel for schedule(dynamic, 64)
@@ -253,7 +255,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
     const auto is_open = [&](const Vec3<float>& p) {
       return (sample.side != SurfaceSample::Side::one ||
               glm::dot(sample.normal, glm::vec3(p.x, p.y, p.z)) > 0) &&
-             contact.is_open(xi + p);
+             is_free(xi + p);
     };
     const double open = support.free_part(is_open);
     double lattice = 0;
@@ -265,7 +267,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
     const bool at_bare_wall =
         sample.side == SurfaceSample::Side::domain &&
         (settings.obstacles.empty() ||
-         open == support.free_part([&](const Vec3<float>& p) { return walls.is_open(xi + p); }));
+         open == support.free_part([&](const Vec3<float>& p) { return is_bare(xi + p); }));
     const double liquid =
         at_bare_wall ? volume * lattice : std::max(share * open / flat, volume * lattice);
     solid_[i] = 1 - static_cast<float>(liquid);
@@ -277,4 +279,4 @@ std::size_t Boundary::memory_bytes() const {
          wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -2,13 +2,13 @@
 // pressures of their own (Band et al. 2018).
 #pragma once
 
+#include "sim/backend.hpp"
 #include "sim/formulas.hpp"
-#include "sim/openmp/cell_grid.hpp"
 #include "sim/particles.hpp"
 #include "sim/settings.hpp"
 #include "sim/shapes/surface_sample.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Boundary {
  public:
@@ -81,4 +81,4 @@ class Boundary {
   CellGrid grid_;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

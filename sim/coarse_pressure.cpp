@@ -5,7 +5,7 @@
 
 #include "sim/lattice.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// A particle is spray or surface, and keeps no pressure, if its density is further below the rest
@@ -15,6 +15,48 @@ constexpr float slack = 0.03f;
 /// What a disordered neighbourhood lacks of the lattice's conductance is no surface. Counted as
 /// one, it would let pressure leak away within some twenty spacings, and a tall column fall.
 constexpr float disorder = 0.03f;
+
+constexpr int slots = CellNeighbourView::slots, self = CellNeighbourView::self;
+
+/// What conductances are found from.
+struct Pairs {
+  ConductanceKernel kernel;
+  CellGridView grid;
+  Vec3Arrays position;
+  const float* active;
+  NeighbourView wall_neighbours;
+  Vec3Arrays wall_position;
+  const float* wall_volume;
+
+  /// Σ w over all pairs of active particles, one of cell a and one of cell b, 1/m².
+  SPINDRIFT_HD float between(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t begin = grid.cell_begin(b), end = grid.cell_begin(b + 1);
+    RunSum total;
+    for (std::uint32_t i = grid.cell_begin(a); i < grid.cell_begin(a + 1); ++i) {
+      if (active[i] == 0)
+        continue;
+      const Vec3<float> xi = position[i];
+      total.add(begin, end, [&](auto j) {
+        const auto d = xi - position[j];
+        return kernel.weight(dot(d, d)) * load(active, j);
+      });
+    }
+    return total.value();
+  }
+
+  /// Σ V_b w over the pairs of active particles of a cell and samples of walls, m.
+  SPINDRIFT_HD float to_walls(std::uint32_t cell) const {
+    float sum = 0;
+    for (std::uint32_t i = grid.cell_begin(cell); i < grid.cell_begin(cell + 1); ++i) {
+      const Vec3<float> xi = position[i];
+      sum += active[i] * wall_neighbours.sum(i, [&](auto b) {
+        const auto d = xi - wall_position[b];
+        return load(wall_volume, b) * kernel.weight(dot(d, d));
+      });
+    }
+    return sum;
+  }
+};
 
 }  // namespace
 
@@ -35,34 +77,21 @@ CoarsePressure::CoarsePressure(const FluidConstants& constants)
 }
 
 void CoarsePressure::build(const StepContext& s, float delta) {
-  map_ = *s.map;
-  count_ = static_cast<std::uint32_t>(s.grid->cell_count());
-  neighbours_.build(map_, *s.grid);
-  const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
-  grow(conductance_, place(batches * lane_count, 0));
-  s.executor.for_each("coarse grid", batches, [&](std::uint32_t b) {
-    std::fill_n(&conductance_[place(b * lane_count, 0)], slots * lane_count, 0.f);
-  });
+  count_ = s.grid.cell_count;
+  neighbours_.build(*s.map, s.grid);
   for (ScalarField* field : {&inverse_diagonal_, &pressure_, &residual_, &direction_, &image_})
     field->resize(count_);
+  grow(nearest_, s.boundary.wet_count);
+  grow(wet_cell_, s.boundary.wet_count);
+  view_ = {.map = *s.map,
+           .grid = s.grid,
+           .neighbours = neighbours_.view(),
+           .position = s.particles.drifted_position.view(),
+           .pressure = pressure_.data(),
+           .nearest = nearest_.data(),
+           .wet_cell = wet_cell_.data()};
   find_active(s, delta);
-  s.executor.for_each("coarse grid", count_, [&](std::uint32_t c) { connect(s, c); });
-  s.executor.for_each("coarse grid", count_, [&](std::uint32_t c) {
-    float around = 0;
-    for (int t = 0; t < slots; ++t)
-      around += conductance_[place(c, t)];
-    float particles = 0;
-    for (std::uint32_t i = s.grid->cell_begin(c); i < s.grid->cell_begin(c + 1); ++i)
-      particles += active_[i];
-    const float inside = conductance_between(s, c, c);
-    const float lacking =
-        lattice_conductance_ * particles - inside - around - conductance_to_walls(s, c);
-    const float full = lattice_conductance_ * particles;
-    // The last part keeps a body of liquid without any surface solvable.
-    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
-    conductance_[place(c, self)] = diagonal;
-    inverse_diagonal_[c] = diagonal > 0 ? 1 / diagonal : 0.f;
-  });
+  find_conductances(s);
   attach_walls(s);
 }
 
@@ -70,147 +99,122 @@ void CoarsePressure::find_active(const StepContext& s, float delta) {
   const float *pressure = s.particles.step_pressure.data(),
               *ratio = s.particles.density_ratio.data();
   float* active = active_.resized(s.particles.count);
-  s.executor.for_each("coarse grid", s.particles.count, [=](std::uint32_t i) {
+  s.executor.for_each("coarse grid", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     active[i] = pressure[i] / delta + ratio[i] > 1 - slack ? 1.f : 0.f;
   });
 }
 
-/// Links a cell with those that come after it in key order, both ways.
-void CoarsePressure::connect(const StepContext& s, std::uint32_t cell) {
-  for (int slot = self + 1; slot < slots; ++slot) {
-    const std::int32_t at = neighbours_.at(cell, slot);
-    if (at < 0)
-      continue;
-    const auto other = static_cast<std::uint32_t>(at);
-    conductance_[place(cell, slot)] = conductance_[place(other, slots - 1 - slot)] =
-        conductance_between(s, cell, other);
-  }
-}
-
-/// Σ w over all pairs of active particles, one of cell a and one of cell b, 1/m².
-float CoarsePressure::conductance_between(const StepContext& s, std::uint32_t a,
-                                          std::uint32_t b) const {
-  constexpr IndexLanes lane{0, 1, 2, 3, 4, 5, 6, 7};
-  const Vec3Arrays x = s.particles.drifted_position.view();
-  const std::uint32_t begin = s.grid->cell_begin(b), end = s.grid->cell_begin(b + 1);
-  const float* active = active_.data();
-  Lanes total{};
-  for (std::uint32_t i = s.grid->cell_begin(a); i < s.grid->cell_begin(a + 1); ++i) {
-    if (active[i] == 0)
-      continue;
-    const Vec3<float> xi = x[i];
-    for (std::uint32_t j = begin; j < end; j += lane_count) {
-      const Vec3<Lanes> d{xi.x - consecutive(x.x + j), xi.y - consecutive(x.y + j),
-                          xi.z - consecutive(x.z + j)};
-      const Lanes w = kernel_.weight(dot(d, d)) * consecutive(active + j);
-      const Lanes zero{};
-      total += lane < static_cast<std::int32_t>(end - j) ? w : zero;
+/// Each cell is linked with those that come after it in key order, both ways.
+void CoarsePressure::find_conductances(const StepContext& s) {
+  const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
+  grow(conductance_, CellNeighbourView::place(batches * lane_count, 0));
+  float *conductance = conductance_.data(), *inverse_diagonal = inverse_diagonal_.data();
+  const CellNeighbourView neighbours = neighbours_.view();
+  const Pairs pairs{kernel_,
+                    s.grid,
+                    s.particles.drifted_position.view(),
+                    active_.data(),
+                    s.boundary.neighbours,
+                    s.boundary.position,
+                    s.boundary.volume};
+  s.executor.for_each("coarse grid", batches * lane_count, [=] SPINDRIFT_HD(std::uint32_t c) {
+    for (int t = 0; t < slots; ++t)
+      conductance[CellNeighbourView::place(c, t)] = 0;
+  });
+  s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    for (int t = self + 1; t < slots; ++t) {
+      const std::int32_t at = neighbours.at(c, t);
+      if (at < 0)
+        continue;
+      const auto other = static_cast<std::uint32_t>(at);
+      conductance[CellNeighbourView::place(c, t)] =
+          conductance[CellNeighbourView::place(other, slots - 1 - t)] = pairs.between(c, other);
     }
-  }
-  return reduce(total);
-}
-
-float CoarsePressure::conductance_to_walls(const StepContext& s, std::uint32_t cell) const {
-  const Vec3Arrays x = s.particles.drifted_position.view();
-  float sum = 0;
-  for (std::uint32_t i = s.grid->cell_begin(cell); i < s.grid->cell_begin(cell + 1); ++i) {
-    const Vec3<float> xi = x[i];
-    sum += active_[i] * s.boundary.neighbours.sum(i, [&](auto b) {
-      const auto d = xi - s.boundary.position[b];
-      return load(s.boundary.volume, b) * kernel_.weight(dot(d, d));
-    });
-  }
-  return sum / s.constants.volume;
+  });
+  const float of_lattice = lattice_conductance_, volume = s.constants.volume;
+  s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    float around = 0;
+    for (int t = 0; t < slots; ++t)
+      around += conductance[CellNeighbourView::place(c, t)];
+    float particles = 0;
+    for (std::uint32_t i = pairs.grid.cell_begin(c); i < pairs.grid.cell_begin(c + 1); ++i)
+      particles += pairs.active[i];
+    const float inside = pairs.between(c, c);
+    const float full = of_lattice * particles;
+    const float lacking = full - inside - around - pairs.to_walls(c) / volume;
+    // The last part keeps a body of liquid without any surface solvable.
+    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
+    conductance[CellNeighbourView::place(c, self)] = diagonal;
+    inverse_diagonal[c] = diagonal > 0 ? 1 / diagonal : 0.f;
+  });
 }
 
 /// A boundary sample has the pressure of the particle nearest to it, and adds its residual there.
 void CoarsePressure::attach_walls(const StepContext& s) {
-  const BoundaryView& solid = s.boundary;
-  nearest_.resize(solid.wet_count);
-  wet_cell_.resize(solid.wet_count);
+  const BoundaryView solid = s.boundary;
   const Vec3Arrays x = s.particles.drifted_position.view();
-  s.executor.for_each("coarse grid", solid.wet_count, [&](std::uint32_t k) {
+  const CellGridView grid = s.grid;
+  const GridMap map = *s.map;
+  std::uint32_t *nearest = nearest_.data(), *wet_cell = wet_cell_.data();
+  s.executor.for_each("coarse grid", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
     const std::uint32_t b = solid.wet[k];
     const Vec3<float> xb = solid.position[b];
-    const std::uint32_t* j = solid.fluid.list(b);
     float best = INFINITY;
-    for (std::uint32_t left = *j++ * lane_count; left > 0; --left, ++j) {
-      const Vec3<float> d = xb - x[*j];
+    std::uint32_t found = 0;
+    solid.fluid.for_each(b, [&](std::uint32_t j) {
+      const Vec3<float> d = xb - x[j];
       if (dot(d, d) < best) {
         best = dot(d, d);
-        nearest_[k] = *j;
+        found = j;
       }
-    }
-    wet_cell_[k] = static_cast<std::uint32_t>(s.grid->first_cell_from(map_.key(x[nearest_[k]])));
+    });
+    nearest[k] = found;
+    wet_cell[k] = grid.first_cell_from(map.key(x[found]));
   });
-}
-
-/// The operator's result in eight cells, from `cell` on, a multiple of eight.
-Lanes CoarsePressure::applied(std::uint32_t cell, const float* u) const {
-  const float* w = &conductance_[place(cell, 0)];
-  const auto conductance = [&](int slot) { return consecutive(w + slot * lane_count); };
-  Lanes sum = conductance(self) * consecutive(u + cell);
-  for (int row = 0; row < slots / 3; ++row) {
-    const auto other = neighbours_.row(cell, row);
-    for (int k = 0; k < 3; ++k)
-      if (3 * row + k != self)
-        sum -= conductance(3 * row + k) * load(u, other[static_cast<std::size_t>(k)]);
-  }
-  return sum;
 }
 
 /// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth.
 void CoarsePressure::conjugate_gradients(Executor& executor) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-4;
-  pressure_.fill(0);
-  direction_.fill(0);
   float *p = pressure_.data(), *r = residual_.data(), *d = direction_.data(),
         *image = image_.data();
-  const float* inverse = inverse_diagonal_.data();
-  /// Moves by a step along the direction; returns the residual's squared norm.
-  const auto advance = [&](float step) {
-    return executor
-        .reduce<Sum>("coarse pressure", count_,
-                     [=](std::uint32_t c) {
-                       p[c] += step * d[c];
-                       r[c] -= step * image[c];
-                       return Sum{double{r[c]} * r[c] * inverse[c]};
-                     })
-        .value;
-  };
-  image_.fill(0);
-  double squared = advance(0), before = 0;
+  const float *inverse = inverse_diagonal_.data(), *weights = conductance_.data();
+  const CellNeighbourView neighbours = neighbours_.view();
+  double squared = executor
+                       .reduce<Sum>("coarse pressure", count_,
+                                    [=] SPINDRIFT_HD(std::uint32_t c) {
+                                      p[c] = d[c] = 0;
+                                      return Sum{double{r[c]} * r[c] * inverse[c]};
+                                    })
+                       .value;
+  double before = 0;
   const double goal = squared_tolerance * squared;
   for (int k = 0; k < most_iterations && squared > goal; ++k) {
     const float beta = k > 0 ? static_cast<float>(squared / before) : 0.f;
-    executor.for_each("coarse pressure", count_,
-                      [=](std::uint32_t c) { d[c] = r[c] * inverse[c] + beta * d[c]; });
+    executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+      d[c] = r[c] * inverse[c] + beta * d[c];
+    });
     const double curvature = executor
                                  .reduce<Sum>("coarse pressure", count_,
-                                              [=, this](std::uint32_t c) {
-                                                if (c % lane_count == 0) {
-                                                  const Lanes eight = applied(c, d);
-                                                  __builtin_memcpy(image + c, &eight, sizeof eight);
-                                                }
+                                              [=] SPINDRIFT_HD(std::uint32_t c) {
+                                                neighbours.apply(c, weights, d, image);
                                                 return Sum{double{image[c]} * d[c]};
                                               })
                                  .value;
     if (!(curvature > 0))
       return;
     before = squared;
-    squared = advance(static_cast<float>(squared / curvature));
+    const float step = static_cast<float>(squared / curvature);
+    squared = executor
+                  .reduce<Sum>("coarse pressure", count_,
+                               [=] SPINDRIFT_HD(std::uint32_t c) {
+                                 p[c] += step * d[c];
+                                 r[c] -= step * image[c];
+                                 return Sum{double{r[c]} * r[c] * inverse[c]};
+                               })
+                  .value;
   }
-}
-
-CoarsePressure::Around CoarsePressure::pressures_around(std::uint32_t cell) const {
-  Around around;
-  for (int t = 0; t < slots; ++t) {
-    const std::int32_t other = neighbours_.at(cell, t);
-    around[static_cast<std::size_t>(t)] =
-        pressure_[other >= 0 ? static_cast<std::uint32_t>(other) : cell];
-  }
-  return around;
 }
 
 std::size_t CoarsePressure::memory_bytes() const {
@@ -218,4 +222,4 @@ std::size_t CoarsePressure::memory_bytes() const {
          5 * pressure_.memory_bytes() + (nearest_.capacity() + wet_cell_.capacity()) * 4;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -12,12 +12,68 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
-#include "sim/openmp/cell_neighbours.hpp"
+#include "sim/backend.hpp"
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+
+/// Weights of the three cells around by the quadratic B-spline; `place` in cells.
+template <class Real>
+SPINDRIFT_HD std::array<Real, 3> spline_weights(Real place) {
+  const Real t = place - rounded_down(place) - 0.5f;
+  return {0.5f * (0.5f - t) * (0.5f - t), 0.75f - t * t, 0.5f * (0.5f + t) * (0.5f + t)};
+}
+
+/// The solution, as loops over particles look at it.
+struct CoarseView {
+  GridMap map;
+  CellGridView grid;
+  CellNeighbourView neighbours;
+  Vec3Arrays position;                      ///< of the particles, m
+  const float* pressure;                    ///< per cell, Pa
+  const std::uint32_t *nearest, *wet_cell;  ///< per wet boundary sample: a particle, its cell
+
+  /// f(i, pressure at particle i, Pa) for all particles of a cell.
+  template <class F>
+  SPINDRIFT_HD void at_particles(std::uint32_t cell, F f) const {
+    const Around around = pressures_around(cell);
+    for_run(
+        grid.cell_begin(cell), grid.cell_begin(cell + 1),
+        [&](auto i) { return at(position[i], around); }, f);
+  }
+  /// Pressure at the wet boundary sample k, Pa: that of the particle nearest to it.
+  SPINDRIFT_HD float at_wall(std::uint32_t k) const {
+    return at(position[nearest[k]], pressures_around(wet_cell[k]));
+  }
+
+ private:
+  /// Of a cell and those around it, Pa; its own where there is none.
+  using Around = std::array<float, CellNeighbourView::slots>;
+
+  SPINDRIFT_HD Around pressures_around(std::uint32_t cell) const {
+    Around around{};
+    for (int t = 0; t < CellNeighbourView::slots; ++t) {
+      const std::int32_t other = neighbours.at(cell, t);
+      around[static_cast<std::size_t>(t)] =
+          pressure[other >= 0 ? static_cast<std::uint32_t>(other) : cell];
+    }
+    return around;
+  }
+
+  template <class Real>
+  SPINDRIFT_HD Real at(const Vec3<Real>& x, const Around& around) const {
+    const auto wx = spline_weights((x.x - map.origin.x) * map.inverse_cell);
+    const auto wy = spline_weights((x.y - map.origin.y) * map.inverse_cell);
+    const auto wz = spline_weights((x.z - map.origin.z) * map.inverse_cell);
+    Real sum{};
+    for (std::size_t k = 0, t = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i, ++t)
+          sum += wx[i] * wy[j] * wz[k] * around[t];
+    return sum;
+  }
+};
 
 class CoarsePressure {
  public:
@@ -41,114 +97,72 @@ class CoarsePressure {
   template <class F>
   void solve(const StepContext& s, F error);
 
-  /// f(i, pressure at particle i, Pa) for all particles of a cell.
-  template <class F>
-  void at_particles(const StepContext& s, std::uint32_t cell, F f) const;
-  /// Pressure at the wet boundary sample k, Pa: that of the particle nearest to it.
-  float at_wall(const StepContext& s, std::uint32_t k) const {
-    return at(s.particles.drifted_position.view()[nearest_[k]], pressures_around(wet_cell_[k]));
-  }
+  /// Of the particles and samples that the last build() was for.
+  CoarseView view() const { return view_; }
+
   std::size_t memory_bytes() const;
 
- private:
-  static constexpr int slots = CellNeighbours::slots, self = CellNeighbours::self;
-  /// Of a cell and those around it, Pa; its own where there is none.
-  using Around = std::array<float, slots>;
+  // Parts of build() and solve(); public since CUDA has no loops in private functions.
+  void find_active(const StepContext& s, float delta);
+  void find_conductances(const StepContext& s);
+  void attach_walls(const StepContext& s);
+  void conjugate_gradients(Executor& executor);
 
+ private:
   /// Part of the solution that is applied. Pressure outlasts the step in the warm start, so that
   /// with much more the steps swing from one side to the other.
   static constexpr float gain = 0.3f;
 
-  void find_active(const StepContext& s, float delta);
-  void connect(const StepContext& s, std::uint32_t cell);
-  float conductance_between(const StepContext& s, std::uint32_t a, std::uint32_t b) const;
-  float conductance_to_walls(const StepContext& s, std::uint32_t cell) const;
-  void attach_walls(const StepContext& s);
-  void conjugate_gradients(Executor& executor);
-  Lanes applied(std::uint32_t cell, const float* u) const;
-  Around pressures_around(std::uint32_t cell) const;
-  template <class Real>
-  Real at(const Vec3<Real>& x, const Around& around) const;
-
-  /// Eight cells' numbers stand beside each other.
-  static std::size_t place(std::uint32_t cell, int slot) {
-    return (std::size_t{cell / lane_count} * slots + slot) * lane_count + cell % lane_count;
-  }
-
-  GridMap map_;
   ConductanceKernel kernel_;
   float lattice_conductance_;  ///< Σ w over a full lattice, the particle itself included, 1/m²
   float aggregate_factor_;     ///< how much too stiff pressure is by being flat in cells, per their
                                ///< size, 1/m
   std::uint32_t count_ = 0;    ///< cells
+  CoarseView view_ = {};
 
   ScalarField active_;  ///< per particle: 1 or 0
   CellNeighbours neighbours_;
-  std::vector<float> conductance_;  ///< slots per cell; in its own the operator's diagonal
+  Array<float> conductance_;  ///< slots per cell; in its own the operator's diagonal
   ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
-  std::vector<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
+  Array<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
 };
 
 template <class F>
 void CoarsePressure::solve(const StepContext& s, F error) {
-  const CellGrid& grid = *s.grid;
-  ScalarField& held_up = image_;
-  s.executor.for_each("coarse pressure", count_, [&](std::uint32_t c) {
+  const CellGridView grid = s.grid;
+  const BoundaryView solid = s.boundary;
+  const float* active = active_.data();
+  const std::uint32_t n = s.particles.count;
+  const std::uint32_t* wet_cell = wet_cell_.data();
+  const float volume = s.constants.volume;
+  float *residual = residual_.data(), *pressure = pressure_.data(), *held_up = image_.data();
+  s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
     Error sum{0, 0};
     for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i) {
       const Error e = error(i);
-      sum.compression += active_[i] * e.compression;
-      sum.held_up += active_[i] * e.held_up;
+      sum.compression += active[i] * e.compression;
+      sum.held_up += active[i] * e.held_up;
     }
-    residual_[c] = sum.compression;
+    residual[c] = sum.compression;
     held_up[c] = sum.held_up;
   });
-  for (std::uint32_t k = 0; k < s.boundary.wet_count; ++k) {
-    const float share = s.boundary.volume[s.boundary.wet[k]] / s.constants.volume;
-    const Error e = error(s.particles.count + k);
-    residual_[wet_cell_[k]] += share * e.compression;
-    held_up[wet_cell_[k]] += share * e.held_up;
-  }
-  for (std::uint32_t c = 0; c < count_; ++c)
-    residual_[c] = std::max(residual_[c], -held_up[c]);
+  const auto cell_of = [=] SPINDRIFT_HD(std::uint32_t k) { return wet_cell[k]; };
+  s.executor.add_at_places("coarse pressure", solid.wet_count, residual, count_, cell_of,
+                           [=] SPINDRIFT_HD(std::uint32_t k) {
+                             return solid.volume[solid.wet[k]] / volume * error(n + k).compression;
+                           });
+  s.executor.add_at_places("coarse pressure", solid.wet_count, held_up, count_, cell_of,
+                           [=] SPINDRIFT_HD(std::uint32_t k) {
+                             return solid.volume[solid.wet[k]] / volume * error(n + k).held_up;
+                           });
+  s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    residual[c] = std::max(residual[c], -held_up[c]);
+  });
   conjugate_gradients(s.executor);
-  const float scale = gain * aggregate_factor_ / map_.inverse_cell * s.constants.rest_density /
+  const float scale = gain * aggregate_factor_ / s.map->inverse_cell * s.constants.rest_density /
                       (s.time_step * s.time_step);
-  for (std::uint32_t c = 0; c < count_; ++c)
-    pressure_[c] *= scale;
+  s.executor.for_each("coarse pressure", count_,
+                      [=] SPINDRIFT_HD(std::uint32_t c) { pressure[c] *= scale; });
 }
 
-/// Weights of the three cells around by the quadratic B-spline; `place` in cells.
-template <class Real>
-std::array<Real, 3> spline_weights(Real place) {
-  const Real t = place - rounded_down(place) - 0.5f;
-  return {0.5f * (0.5f - t) * (0.5f - t), 0.75f - t * t, 0.5f * (0.5f + t) * (0.5f + t)};
-}
-
-template <class Real>
-Real CoarsePressure::at(const Vec3<Real>& x, const Around& around) const {
-  const auto wx = spline_weights((x.x - map_.origin.x) * map_.inverse_cell);
-  const auto wy = spline_weights((x.y - map_.origin.y) * map_.inverse_cell);
-  const auto wz = spline_weights((x.z - map_.origin.z) * map_.inverse_cell);
-  Real sum{};
-  for (std::size_t k = 0, t = 0; k < 3; ++k)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t i = 0; i < 3; ++i, ++t)
-        sum += wx[i] * wy[j] * wz[k] * around[t];
-  return sum;
-}
-
-template <class F>
-void CoarsePressure::at_particles(const StepContext& s, std::uint32_t cell, F f) const {
-  const Vec3Arrays x = s.particles.drifted_position.view();
-  const Around around = pressures_around(cell);
-  const std::uint32_t end = s.grid->cell_begin(cell + 1);
-  for (std::uint32_t i = s.grid->cell_begin(cell); i < end; i += lane_count) {
-    const Lanes p =
-        at(Vec3<Lanes>{consecutive(x.x + i), consecutive(x.y + i), consecutive(x.z + i)}, around);
-    for (std::uint32_t k = 0; k < lane_count && i + k < end; ++k)
-      f(i + k, p[k]);
-  }
-}
-
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -22,7 +22,7 @@ struct LaplacianWeights {
   }
 
   template <class Real>
-  Real weight(Real squared_distance) const {
+  SPINDRIFT_HD Real weight(Real squared_distance) const {
     const Real q2 = squared_distance * inverse_squared_radius;
     const Real zero = q2 * 0.f;
     return q2 < 1.f ? scale * Shape::value(q2) : zero;
@@ -33,7 +33,7 @@ struct LaplacianWeights {
 /// scale is 1.2 % less. Its steep start calms neighbours that jitter against each other.
 struct SteepShape {
   template <class Real>
-  static Real value(Real q2) {
+  SPINDRIFT_HD static Real value(Real q2) {
     return 1.f - square_root(q2);
   }
 };
@@ -41,7 +41,7 @@ struct SteepShape {
 /// (1 − r²/H²)²: what it gives changes little when rows of particles slide past each other.
 struct SmoothShape {
   template <class Real>
-  static Real value(Real q2) {
+  SPINDRIFT_HD static Real value(Real q2) {
     return (1.f - q2) * (1.f - q2);
   }
 };

@@ -16,24 +16,12 @@
 
 #include <cstdint>
 
+#include "sim/backend.hpp"
 #include "sim/diffusion.hpp"
+#include "sim/fluid_constants.hpp"
 #include "sim/kernels.hpp"
-#include "sim/openmp/neighbours.hpp"
-#include "sim/real.hpp"
 
-namespace spindrift::sim {
-
-/// What stays the same during a run.
-struct FluidConstants {
-  float spacing;          ///< m
-  float support_radius;   ///< H = 2 spacings, m
-  float rest_density;     ///< ρ₀, kg/m³
-  float volume;           ///< V = m/ρ₀: a full lattice has exactly the rest density, m³
-  float viscosity;        ///< dynamic viscosity μ, Pa·s
-  float wall_viscosity;   ///< μ_w, with which walls hold the liquid back, Pa·s
-  float surface_tension;  ///< σ, N/m
-  float contact_angle;    ///< θ, of the liquid on walls, degrees
-};
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Boundary samples and the lists of those near each fluid particle.
 struct BoundaryView {
@@ -54,9 +42,10 @@ struct BoundaryView {
 };
 
 /// ρᵢ/ρ₀ at `position`.
-inline float density_ratio(std::uint32_t i, const FluidConstants& c, const CubicKernel& kernel,
-                           const Vec3Arrays& position, const NeighbourView& neighbours,
-                           const BoundaryView& boundary) {
+SPINDRIFT_HD inline float density_ratio(std::uint32_t i, const FluidConstants& c,
+                                        const CubicKernel& kernel, const Vec3Arrays& position,
+                                        const NeighbourView& neighbours,
+                                        const BoundaryView& boundary) {
   const Vec3<float> xi = position[i];
   const float fluid = neighbours.sum(i, [&](auto j) {
     const auto d = xi - position[j];
@@ -70,10 +59,11 @@ inline float density_ratio(std::uint32_t i, const FluidConstants& c, const Cubic
 }
 
 /// The part of ρᵢ/ρ₀ that is in a nozzle, held[j] = 1, or solid.
-inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
-                                   const CubicKernel& kernel, const Vec3Arrays& position,
-                                   const float* held, const NeighbourView& neighbours,
-                                   const BoundaryView& boundary) {
+SPINDRIFT_HD inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
+                                                const CubicKernel& kernel,
+                                                const Vec3Arrays& position, const float* held,
+                                                const NeighbourView& neighbours,
+                                                const BoundaryView& boundary) {
   const Vec3<float> xi = position[i];
   const float fluid = neighbours.sum(i, [&](auto j) {
     const auto d = xi - position[j];
@@ -87,9 +77,10 @@ inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
 }
 
 /// ρ_b/ρ₀ of boundary sample b, with the fluid particles at `position`.
-inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
-                                    const CubicKernel& kernel, const Vec3Arrays& position,
-                                    const BoundaryView& boundary) {
+SPINDRIFT_HD inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
+                                                 const CubicKernel& kernel,
+                                                 const Vec3Arrays& position,
+                                                 const BoundaryView& boundary) {
   const Vec3<float> xb = boundary.position[b];
   const float fluid = boundary.fluid.sum(b, [&](auto j) {
     const auto d = xb - position[j];
@@ -100,9 +91,11 @@ inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
 
 /// Acceleration by pressure, m/s².
 template <class Kernel>
-Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c, const Kernel& kernel,
-                                  const Vec3Arrays& position, const float* pressure,
-                                  const NeighbourView& neighbours, const BoundaryView& boundary) {
+SPINDRIFT_HD Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c,
+                                               const Kernel& kernel, const Vec3Arrays& position,
+                                               const float* pressure,
+                                               const NeighbourView& neighbours,
+                                               const BoundaryView& boundary) {
   const Vec3<float> xi = position[i];
   const float pi = pressure[i];
   const Vec3<float> fluid = neighbours.sum(i, [&](auto j) {
@@ -126,9 +119,10 @@ Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c, cons
 /// a cubic lattice and 0.97 on a face-centred one, with the spiky one 0.94 of that. Of mean
 /// pressures, the samples' in BoundaryView::mean_pressure, it gives the mean.
 template <class Kernel>
-float mechanical_pressure(std::uint32_t i, const FluidConstants& c, const Kernel& kernel,
-                          const Vec3Arrays& position, const float* pressure,
-                          const NeighbourView& neighbours, const BoundaryView& boundary) {
+SPINDRIFT_HD float mechanical_pressure(std::uint32_t i, const FluidConstants& c,
+                                       const Kernel& kernel, const Vec3Arrays& position,
+                                       const float* pressure, const NeighbourView& neighbours,
+                                       const BoundaryView& boundary) {
   const Vec3<float> xi = position[i];
   const float pi = pressure[i];
   const float fluid = neighbours.sum(i, [&](auto j) {
@@ -152,10 +146,12 @@ float mechanical_pressure(std::uint32_t i, const FluidConstants& c, const Kernel
 /// moves, relative to it. The form that acts only along the line between two particles (Monaghan
 /// 2005) keeps angular momentum as well, but on a lattice, which laminar flow stays close to, shear
 /// along the axes would meet 0.7 of the viscosity.
-inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c,
-                                        const DiffusionKernel& kernel, const Vec3Arrays& position,
-                                        const Vec3Arrays& velocity, const NeighbourView& neighbours,
-                                        const BoundaryView& boundary) {
+SPINDRIFT_HD inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c,
+                                                     const DiffusionKernel& kernel,
+                                                     const Vec3Arrays& position,
+                                                     const Vec3Arrays& velocity,
+                                                     const NeighbourView& neighbours,
+                                                     const BoundaryView& boundary) {
   const Vec3<float> xi = position[i], vi = velocity[i];
   Vec3<float> sum{0, 0, 0};
   if (c.viscosity > 0)
@@ -182,4 +178,4 @@ inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c
   return (1 / c.rest_density) * sum;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

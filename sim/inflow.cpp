@@ -7,7 +7,7 @@
 #include "sim/measure.hpp"
 #include "sim/particle_exchange.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// A particle is not brought where another's centre is closer than this, in spacings. In the middle
@@ -143,7 +143,7 @@ void Inflow::carry(Executor& executor, Particles& particles, double time) const 
   if (held_layers_.empty())
     return;
   const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
-  executor.for_each("carry inflow", particles.count, [&](std::uint32_t i) {
+  executor.for_each_on_host("carry inflow", particles.count, [&](std::uint32_t i) {
     const Layer* l = held_layer_of(particles.ids[i]);
     if (l == nullptr)
       return;
@@ -159,7 +159,7 @@ void Inflow::allow(const StepContext& s, float* excess) const {
   const CubicKernel kernel(s.constants.support_radius);
   const Vec3Arrays x = s.particles.drifted_position.view();
   const float* held = held_.data();
-  s.executor.for_each("carry inflow", s.particles.count, [&](std::uint32_t i) {
+  s.executor.for_each_on_host("carry inflow", s.particles.count, [&](std::uint32_t i) {
     if (held[i] > 0)
       excess[i] = std::max(
           0.f,
@@ -251,4 +251,4 @@ Exchange Inflow::advance(Particles& particles, Walls& walls, double time, double
   return exchange;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -10,7 +10,7 @@
 #include "sim/solver.hpp"
 #include "sim/walls.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Inflow {
  public:
@@ -87,4 +87,4 @@ class Inflow {
   bool disturbs_ = false;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

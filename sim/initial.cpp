@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/formulas.hpp"
+#include "sim/cells.hpp"
+#include "sim/fluid_constants.hpp"
+#include "sim/from_glm.hpp"
+#include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 #include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
-#include "sim/openmp/cell_grid.hpp"
 #include "sim/outflow.hpp"
-#include "sim/particles.hpp"
 #include "sim/posed_body.hpp"
 #include "sim/shapes.hpp"
 

@@ -23,7 +23,7 @@ struct CubicKernel {
   }
 
   template <class Real>
-  Real value(Real r) const {
+  SPINDRIFT_HD Real value(Real r) const {
     const Real q = r * inverse_radius;
     const Real c = 1.f - q;
     const Real inner = 1.f - 6.f * q * q * c;
@@ -33,7 +33,7 @@ struct CubicKernel {
   }
 
   template <class Real>
-  Real gradient(Real r) const {
+  SPINDRIFT_HD Real gradient(Real r) const {
     const Real q = r * inverse_radius;
     const Real c = 1.f - q;
     const Real inner = 3.f * q - 2.f;
@@ -53,7 +53,7 @@ struct SpikyKernel {
   }
 
   template <class Real>
-  Real value(Real r) const {
+  SPINDRIFT_HD Real value(Real r) const {
     const Real c = support_radius - r;
     const Real zero = r * 0.f;
     return scale * (c > 0.f ? c * c * c : zero);
@@ -61,7 +61,7 @@ struct SpikyKernel {
 
   /// At r = 0 the gradient has no direction; it is taken as zero there.
   template <class Real>
-  Real gradient(Real r) const {
+  SPINDRIFT_HD Real gradient(Real r) const {
     const Real c = support_radius - r;
     const Real zero = r * 0.f;
     const Real slope = -3.f * scale * c * c / r;

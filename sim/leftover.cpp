@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Time over which what is left over is taken away, in √(H/g).
@@ -19,7 +19,7 @@ constexpr double full_rate_time = 0.04, least_rate = 0.05;
 
 /// Above the rest density, or a little below it where pressure holds it there. Where there is far
 /// less than that, pressure is what an impact left, and nothing to keep up.
-float counted(float density_ratio, float pressure, float most) {
+SPINDRIFT_HD float counted(float density_ratio, float pressure, float most) {
   return std::max(density_ratio - 1, pressure > 0 ? -most : 0.f);
 }
 
@@ -33,18 +33,20 @@ void Leftover::note(Executor& executor, Particles& particles, const Vec3Arrays& 
   float* compression = particles.compression.resized(particles.count);
   total_ = executor
                .reduce<Sum>("leftover", particles.count,
-                            [=](std::uint32_t i) {
+                            [=] SPINDRIFT_HD(std::uint32_t i) {
                               const bool carried = held != nullptr && held[i] > 0;
                               compression[i] = carried ? 0 : counted(ratio[i], pressure[i], most);
                               return Sum{std::max(0.f, compression[i])};
                             })
                .value;
   const CubicKernel kernel(constants.support_radius);
-  executor.for_each("leftover", boundary.wet_count, [&](std::uint32_t k) {
-    const std::uint32_t b = boundary.wet[k];
-    boundary.compression[b] =
-        counted(boundary_density_ratio(b, constants, kernel, position, boundary),
-                boundary.pressure[b], most);
+  const BoundaryView solid = boundary;
+  const Vec3Arrays at = position;
+  const FluidConstants c = constants;
+  executor.for_each("leftover", boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+    const std::uint32_t b = solid.wet[k];
+    solid.compression[b] =
+        counted(boundary_density_ratio(b, c, kernel, at, solid), solid.pressure[b], most);
   });
 }
 
@@ -62,11 +64,11 @@ const float* Leftover::allow(Executor& executor, Particles& particles, double dt
               kept_of_dense = std::max(kept_, kept_if_too_dense);
   const float* compression = particles.compression.data();
   float* excess = particles.excess.resized(particles.count);
-  executor.for_each("leftover", particles.count, [=](std::uint32_t i) {
+  executor.for_each("leftover", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     const float c = compression[i], dense = kept_of_dense * c;
     excess[i] = dense > most ? dense : kept * c;
   });
   return excess;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -7,11 +7,10 @@
 #pragma once
 
 #include "sim/formulas.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/particles.hpp"
 #include "sim/settings.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Leftover {
  public:
@@ -44,4 +43,4 @@ class Leftover {
   double total_ = 0;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

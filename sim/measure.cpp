@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 struct Totals {
   double compression = 0, squared_speed = 0, height = 0, squared_pressure = 0;
   float max_compression = 0;
-  void join(const Totals& o) {
+  SPINDRIFT_HD void join(const Totals& o) {
     compression += o.compression;
     squared_speed += o.squared_speed;
     height += o.height;
@@ -29,12 +29,16 @@ void measure_pressure_with(const Kernel& kernel, const StepContext& s, double ti
   Particles& particles = s.particles;
   const Vec3Arrays position = particles.corrected_position.view();
   ScalarField& result = particles.density_ratio;
-  particles.mean_pressure[particles.count] = 0;  // of the sentinel
-  const float* sum = particles.mean_pressure.data();
+  float *sum = particles.mean_pressure.data(), *pressure = result.data();
   const auto per_time = static_cast<float>(1 / time);
-  s.executor.for_each("measure pressure", particles.count, [&](std::uint32_t i) {
-    result[i] = per_time * mechanical_pressure(i, s.constants, kernel, position, sum, s.neighbours,
-                                               s.boundary);
+  const StepView step = s.view();
+  const Kernel of_pressure = kernel;
+  s.executor.for_each("measure pressure", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+    sum[step.count] = 0;  // of the sentinel
+  });
+  s.executor.for_each("measure pressure", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    pressure[i] = per_time * mechanical_pressure(i, step.constants, of_pressure, position, sum,
+                                                 step.neighbours, step.boundary);
   });
   particles.mean_pressure.swap(result);
 }
@@ -61,7 +65,8 @@ double energy_of(const FluidConstants& constants, const Settings& settings,
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
                  const FluidConstants& constants, const Settings& settings, float radius) {
   const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
-  executor.for_each("measure", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
+  executor.for_each("measure", particles.count,
+                    [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
   neighbourhood.update(executor, particles, radius);
   const CubicKernel kernel(constants.support_radius);
   const NeighbourView neighbours = neighbourhood.fluid();
@@ -70,12 +75,14 @@ Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighb
   const float* pressure = particles.pressure.data();
   float* ratio = particles.density_ratio.data();
   const Vec3<float> down = from_glm(settings.forces.gravity), origin = lowest_corner(settings);
-  const Totals t = executor.reduce<Totals>("measure", particles.count, [&](std::uint32_t i) {
-    ratio[i] = density_ratio(i, constants, kernel, position, neighbours, solid);
+  const FluidConstants c = constants;
+  const auto measure_one = [=] SPINDRIFT_HD(std::uint32_t i) {
+    ratio[i] = density_ratio(i, c, kernel, position, neighbours, solid);
     const float error = std::max(0.f, ratio[i] - 1.f);
     const double p = pressure[i];
     return Totals{error, dot(v[i], v[i]), -dot(position[i] - origin, down), p * p, error};
-  });
+  };
+  const auto t = executor.reduce<Totals>("measure", particles.count, measure_one);
   const double mass = double{constants.rest_density} * constants.volume;
   const double count = std::max(1u, particles.count);
   return {.mean_compression = t.compression / count,
@@ -85,4 +92,4 @@ Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighb
           .rms_pressure = std::sqrt(t.squared_pressure / count)};
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

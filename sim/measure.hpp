@@ -4,7 +4,7 @@
 #include "sim/neighbourhood.hpp"
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 struct Measured {
   double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) over the particles
@@ -29,4 +29,4 @@ Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighb
 /// @param time over which the sums go, s
 void measure_pressure(const StepContext& step, PressureKernel kernel, double time);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact.hpp"
 #include "sim/shapes.hpp"
+#include "sim/solid.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Samples that lie as deep as another solid's own layer count as at the same place within this
@@ -152,7 +152,7 @@ bool MovingBodies::may_meet_another(std::size_t sample, const Vec3<float>& p) co
 }
 
 void MovingBodies::share_places() {
-  const CellGrid& grid = boundary_.grid();
+  const CellGridView grid = boundary_.grid().view();
   const Vec3Arrays x = boundary_.positions();
   const float spacing = settings_.fluid.spacing;
   RowCursors cursors(map_, grid);
@@ -247,21 +247,21 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
   const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
   const float* pressure = particles.step_pressure.data();
   return executor
-      .reduce<Sum>("wall work", boundary.wet_count,
-                   [&](std::uint32_t k) {
-                     const std::uint32_t b = boundary.wet[k];
-                     const Vec3<float> way = time_step * boundary.velocity[b];
-                     if (dot(way, way) == 0)
-                       return Sum{};
-                     Vec3<float> force =
-                         kernel == PressureKernel::spiky
-                             ? pressure_force(b, constants, spiky, x, pressure, boundary)
-                             : pressure_force(b, constants, cubic, x, pressure, boundary);
-                     if (boundary.wall_viscosity[b] > 0)
-                       force += friction_force(b, diffusion, x, v, boundary);
-                     return Sum{double{dot(force, way)}};
-                   })
+      .reduce_on_host<Sum>("wall work", boundary.wet_count,
+                           [&](std::uint32_t k) {
+                             const std::uint32_t b = boundary.wet[k];
+                             const Vec3<float> way = time_step * boundary.velocity[b];
+                             if (dot(way, way) == 0)
+                               return Sum{};
+                             Vec3<float> force =
+                                 kernel == PressureKernel::spiky
+                                     ? pressure_force(b, constants, spiky, x, pressure, boundary)
+                                     : pressure_force(b, constants, cubic, x, pressure, boundary);
+                             if (boundary.wall_viscosity[b] > 0)
+                               force += friction_force(b, diffusion, x, v, boundary);
+                             return Sum{double{dot(force, way)}};
+                           })
       .value;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

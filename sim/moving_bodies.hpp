@@ -11,12 +11,12 @@
 
 #include <vector>
 
+#include "sim/backend.hpp"
 #include "sim/boundary.hpp"
 #include "sim/formulas.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/posed_body.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class MovingBodies {
  public:
@@ -71,4 +71,4 @@ class MovingBodies {
 double wall_work(Executor& executor, const FluidConstants& constants, PressureKernel kernel,
                  Particles& particles, const BoundaryView& boundary, float time_step);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

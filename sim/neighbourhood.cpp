@@ -1,6 +1,19 @@
 #include "sim/neighbourhood.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+namespace {
+
+/// Brings a field into a new order, by way of another.
+void permute(Executor& executor, const std::uint32_t* order, std::uint32_t n, ScalarField& field,
+             ScalarField& scratch) {
+  const float* from = field.data();
+  float* to = scratch.data();
+  executor.for_each("reorder one field", n,
+                    [=] SPINDRIFT_HD(std::uint32_t i) { to[i] = from[order[i]]; });
+  field.swap(scratch);
+}
+
+}  // namespace
 
 void Neighbourhood::update(Executor& executor, Particles& particles, float radius) {
   const std::uint32_t n = particles.count;
@@ -12,19 +25,24 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
 
   const PhaseClock::Scope timed(executor.clock(), "neighbour lists");
   const Vec3Arrays points = particles.drifted_position.view();
-  points.set(n, {sentinel_position, sentinel_position, sentinel_position});
+  executor.for_each("sentinel", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+    points.set(n, {sentinel_position, sentinel_position, sentinel_position});
+  });
   fluid_.build(map_, grid_, points, n, grid_, points, n, radius);
   boundary_lists_.build(map_, grid_, points, n, boundary_.grid(), boundary_.positions(),
                         boundary_.count(), radius);
   wet_lists_.build(map_, boundary_.grid(), boundary_.positions(), boundary_.count(), grid_, points,
                    n, radius);
-  wet_.clear();
-  for (std::uint32_t b = 0; b < boundary_.count(); ++b) {
-    if (!wet_lists_.view().empty(b))
-      wet_.push_back(b);
-    else
-      boundary_.pressures()[b] = boundary_.step_pressures()[b] = boundary_.compressions()[b] = 0;
-  }
+  const NeighbourView around = wet_lists_.view();
+  float *pressure = boundary_.pressures().data(),
+        *step_pressure = boundary_.step_pressures().data(),
+        *compression = boundary_.compressions().data();
+  executor.for_each("wet samples", boundary_.count(), [=] SPINDRIFT_HD(std::uint32_t b) {
+    if (around.empty(b))
+      pressure[b] = step_pressure[b] = compression[b] = 0;
+  });
+  executor.select("wet samples", boundary_.count(), wet_,
+                  [=] SPINDRIFT_HD(std::uint32_t b) { return !around.empty(b); });
 }
 
 void Neighbourhood::reorder(Executor& executor, Particles& particles) {
@@ -33,20 +51,14 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
   const PhaseClock::Scope timed(executor.clock(), "reorder");
   // The density ratios are of the last step, and nobody's any more.
   ScalarField& scratch = particles.density_ratio;
-  const auto permute = [&](ScalarField& field) {
-    const float* from = field.data();
-    float* to = scratch.data();
-    executor.for_each("reorder one field", n, [=](std::uint32_t i) { to[i] = from[order[i]]; });
-    field.swap(scratch);
-  };
   for (VectorField* field : {&particles.position, &particles.velocity, &particles.drifted_position,
                              &particles.drifted_velocity})
     for (int c = 0; c < 3; ++c)
-      permute(field->component(c));
-  permute(particles.pressure);
+      permute(executor, order, n, field->component(c), scratch);
+  permute(executor, order, n, particles.pressure, scratch);
   for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
     if (!field->empty())
-      permute(*field);
+      permute(executor, order, n, *field, scratch);
   grid_.permute(particles.ids);
 }
 
@@ -55,4 +67,4 @@ std::size_t Neighbourhood::memory_bytes() const {
          wet_lists_.memory_bytes() + wet_.capacity() * sizeof(std::uint32_t);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

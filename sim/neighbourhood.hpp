@@ -1,11 +1,11 @@
 // Keeps the particles sorted by cell and their neighbour lists up to date.
 #pragma once
 
+#include "sim/backend.hpp"
 #include "sim/boundary.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Neighbourhood {
  public:
@@ -16,7 +16,7 @@ class Neighbourhood {
   /// velocities.
   void update(Executor& executor, Particles& particles, float radius);
 
-  const CellGrid& grid() const { return grid_; }
+  CellGridView grid() const { return grid_.view(); }
   NeighbourView fluid() const { return fluid_.view(); }
   BoundaryView boundary() {
     return {.position = boundary_.positions(),
@@ -43,8 +43,8 @@ class Neighbourhood {
   Boundary& boundary_;
   CellGrid grid_;
   NeighbourLists fluid_, boundary_lists_;
-  NeighbourLists wet_lists_;        ///< of each boundary sample: fluid particles
-  std::vector<std::uint32_t> wet_;  ///< boundary samples with fluid neighbours
+  NeighbourLists wet_lists_;  ///< of each boundary sample: fluid particles
+  Array<std::uint32_t> wet_;  ///< boundary samples with fluid neighbours
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

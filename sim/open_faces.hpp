@@ -26,8 +26,18 @@ struct OpenFaces {
     }
   }
 
+  /// Whether a point is inside a domain, or in front of one of them.
+  bool is_before(const Vec3<float>& p, const DomainSettings& domain) const {
+    const auto out = [](float v, float lo, float hi, float open_lo, float open_hi) {
+      return (v < lo && v >= open_lo) || (v > hi && v <= open_hi);
+    };
+    return !(out(p.x, domain.min.x, domain.max.x, min.x, max.x) ||
+             out(p.y, domain.min.y, domain.max.y, min.y, max.y) ||
+             out(p.z, domain.min.z, domain.max.z, min.z, max.z));
+  }
+
   /// Whether a point is out of the domain through one of them, at least.
-  bool is_beyond(const Vec3<float>& p) const {
+  SPINDRIFT_HD bool is_beyond(const Vec3<float>& p) const {
     return p.x < min.x || p.y < min.y || p.z < min.z || p.x > max.x || p.y > max.y || p.z > max.z;
   }
 };

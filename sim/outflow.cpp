@@ -1,10 +1,10 @@
 #include "sim/outflow.hpp"
 
-#include "sim/contact.hpp"
 #include "sim/measure.hpp"
 #include "sim/particle_exchange.hpp"
+#include "sim/solid.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 bool is_outside(const Vec3<float>& p, const Box& box) {
@@ -53,12 +53,12 @@ Exchange Outflow::apply(Executor& executor, Particles& particles, const float* h
   const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
   gone_.resize(particles.count);
   const bool any = executor
-                       .reduce<Found>("outflow", particles.count,
-                                      [&](std::uint32_t i) {
-                                        const bool carried = held != nullptr && held[i] > 0;
-                                        gone_[i] = carried ? stays : way_of(x[i]);
-                                        return Found{gone_[i] != stays};
-                                      })
+                       .reduce_on_host<Found>("outflow", particles.count,
+                                              [&](std::uint32_t i) {
+                                                const bool carried = held != nullptr && held[i] > 0;
+                                                gone_[i] = carried ? stays : way_of(x[i]);
+                                                return Found{gone_[i] != stays};
+                                              })
                        .any;
   Exchange exchange;
   if (!any)
@@ -74,4 +74,4 @@ Exchange Outflow::apply(Executor& executor, Particles& particles, const float* h
   return exchange;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/backend.hpp"
 #include "sim/exchange.hpp"
 #include "sim/formulas.hpp"
 #include "sim/open_faces.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Outflow {
  public:
@@ -38,4 +38,4 @@ class Outflow {
 /// of the opening.
 Box reach_of(const Settings& settings);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

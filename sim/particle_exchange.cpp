@@ -1,6 +1,6 @@
 #include "sim/particle_exchange.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 void append_particles(Particles& particles, std::span<const glm::vec3> positions,
                       const glm::vec3& velocity, std::span<const std::uint32_t> ids) {
@@ -42,4 +42,4 @@ void remove_particles(Particles& particles, std::span<const std::uint8_t> gone) 
       field->resize(kept);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -7,7 +7,7 @@
 
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Adds particles of the given velocity, m/s, without pressure, after all others.
 void append_particles(Particles& particles, std::span<const glm::vec3> positions,
@@ -16,4 +16,4 @@ void append_particles(Particles& particles, std::span<const glm::vec3> positions
 /// Takes away particle i where gone[i] is not 0; the others keep their order.
 void remove_particles(Particles& particles, std::span<const std::uint8_t> gone);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 void set_particles(Particles& particles, const InitialParticles& initial) {
   const auto n = static_cast<std::uint32_t>(initial.positions.size());
@@ -29,7 +29,7 @@ void set_particles(Particles& particles, const Frame& frame) {
 
 void put_particles(const Particles& particles, float rest_density, Frame& frame) {
   const std::uint32_t n = particles.count;
-  frame.ids = particles.ids;
+  frame.ids.assign(particles.ids.begin(), particles.ids.end());
   frame.positions.reserve(n);
   frame.velocities.reserve(n);
   frame.densities.reserve(n);
@@ -48,10 +48,11 @@ void put_particles(const Particles& particles, float rest_density, Frame& frame)
 
 float largest_speed(Executor& executor, Particles& particles) {
   const Vec3Arrays v = particles.velocity.view();
-  return std::sqrt(executor
-                       .reduce<Largest>("largest speed", particles.count,
-                                        [=](std::uint32_t i) { return Largest{dot(v[i], v[i])}; })
-                       .value);
+  return std::sqrt(
+      executor
+          .reduce<Largest>("largest speed", particles.count,
+                           [=] SPINDRIFT_HD(std::uint32_t i) { return Largest{dot(v[i], v[i])}; })
+          .value);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

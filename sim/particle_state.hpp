@@ -1,12 +1,12 @@
 // The particles' state to and from what a run starts with and what it gives.
 #pragma once
 
+#include "sim/backend.hpp"
 #include "sim/initial.hpp"
-#include "sim/openmp/executor.hpp"
 #include "sim/particles.hpp"
 #include "sim/simulation.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Takes over the particles of a start, numbered from 0.
 void set_particles(Particles& particles, const InitialParticles& initial);
@@ -20,4 +20,4 @@ void put_particles(const Particles& particles, float rest_density, Frame& frame)
 /// m/s.
 float largest_speed(Executor& executor, Particles& particles);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

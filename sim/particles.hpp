@@ -4,17 +4,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
-#include <vector>
 
-#include "sim/openmp/neighbours.hpp"
-#include "sim/real.hpp"
+#include "sim/backend.hpp"
+#include "sim/from_glm.hpp"
 
-namespace spindrift::sim {
-
-inline Vec3<float> from_glm(glm::vec3 v) {
-  return {v.x, v.y, v.z};
-}
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
 class ScalarField {
@@ -41,7 +35,7 @@ class ScalarField {
   std::size_t memory_bytes() const { return values_.capacity() * sizeof(float); }
 
  private:
-  std::vector<float> values_;
+  Array<float> values_;
 };
 
 /// One vector per particle, as three arrays.
@@ -73,10 +67,10 @@ struct Particles {
   std::uint32_t count = 0;
 
   // State at the current time. A step that is rejected leaves it as it was, but for the order.
-  VectorField position;  ///< m
-  VectorField velocity;  ///< m/s, over the last step (leapfrog: at the middle of that step)
-  ScalarField pressure;  ///< Pa, of the last step
-  std::vector<std::uint32_t> ids;  ///< never used twice
+  VectorField position;      ///< m
+  VectorField velocity;      ///< m/s, over the last step (leapfrog: at the middle of that step)
+  ScalarField pressure;      ///< Pa, of the last step
+  Array<std::uint32_t> ids;  ///< never used twice
   /// ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there is pressure. Only
   /// with a solver that corrects it; empty else.
   ScalarField compression;
@@ -110,4 +104,4 @@ struct Particles {
   }
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

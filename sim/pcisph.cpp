@@ -6,7 +6,7 @@
 #include "sim/coarse_pressure.hpp"
 #include "sim/lattice.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Part of the last step's pressure that the iteration starts from. Less costs iterations; with all
@@ -32,12 +32,23 @@ struct Residual {
   double error = 0;  ///< Σ of how far ρ/ρ₀ is from what is wanted, above it, or below it as far
                      ///< as pressure holds it up
   float largest = 0;  ///< ρ/ρ₀ − 1
-  void join(const Residual& other) {
+  SPINDRIFT_HD void join(const Residual& other) {
     compression += other.compression;
     error += other.error;
     largest = std::max(largest, other.largest);
   }
 };
+
+SPINDRIFT_HD inline float part_of(float share, float pressure, float least) {
+  const float part = share * pressure;
+  return part < least ? 0.f : part;
+}
+
+/// Pressure that takes away a part of a compression, Pa.
+SPINDRIFT_HD inline float easing_pressure(float compression, float pressure, float delta,
+                                          float most) {
+  return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
+}
 
 template <class Kernel>
 class Pcisph : public PressureSolver {
@@ -75,27 +86,27 @@ class Pcisph : public PressureSolver {
 
   void ease(const StepContext& s) override {
     Particles& p = s.particles;
-    const BoundaryView& solid = s.boundary;
     const float delta = stiffness(s), most = most_eased * settings_.max_compression;
-    const auto pressure_for = [=](float compression, float pressure) {
-      return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
-    };
-    const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data();
+    const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data(),
+                *wet = wet_compression_.data();
     float* easing = p.step_pressure.data();
-    s.executor.for_each("ease", p.count, [&](std::uint32_t i) {
-      easing[i] = s.is_held(i) ? 0 : pressure_for(ratio[i] - 1, pressure[i]);
+    const StepView step = s.view();
+    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      easing[i] = step.is_held(i) ? 0 : easing_pressure(ratio[i] - 1, pressure[i], delta, most);
     });
-    s.executor.for_each("ease", solid.wet_count, [&](std::uint32_t k) {
+    s.executor.for_each("ease", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+      const BoundaryView& solid = step.boundary;
       const std::uint32_t b = solid.wet[k];
       solid.step_pressure[b] =
-          pressure_for(wet_compression_[k] + kept_by_sample(s, b), solid.pressure[b]);
+          easing_pressure(wet[k] + step.kept_by_sample(b), solid.pressure[b], delta, most);
     });
     const Vec3Arrays x = p.corrected_position.view(), moved = p.drifted_position.view();
     const float dt2 = s.time_step * s.time_step;
-    s.executor.for_each("ease", p.count, [&](std::uint32_t i) {
-      const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, x, easing,
-                                                  s.neighbours, s.boundary);
-      moved.set(i, s.is_held(i) ? x[i] : s.contact.resolve(x[i] + dt2 * a));
+    const Kernel kernel = pressure_kernel_;
+    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, x, easing,
+                                                  step.neighbours, step.boundary);
+      moved.set(i, step.is_held(i) ? x[i] : step.contact.resolve(x[i] + dt2 * a));
     });
     keep_if_better(s, delta);
   }
@@ -106,7 +117,8 @@ class Pcisph : public PressureSolver {
     return coarse_.memory_bytes() + acceleration_.memory_bytes() + wet_compression_.memory_bytes();
   }
 
- private:
+  // The steps of the algorithm; public since CUDA has no loops in private functions.
+
   /// δ of eq. 8 for a full lattice neighbourhood, where Σ∇W = 0, with density as a ratio to ρ₀:
   ///   δ = ρ₀ / (Δt² V² Σ ∇W·∇W), Pa. One gradient is density's kernel's, the other pressure's.
   float stiffness(const StepContext& s) const {
@@ -133,17 +145,15 @@ class Pcisph : public PressureSolver {
     const float* last = s.particles.pressure.data();
     float* p = s.particles.step_pressure.data();
     const float least = 1e-6f * delta, share = warm_start * s.kick / s.time_step;
-    const auto part_of = [=](float pressure) {
-      const float part = share * pressure;
-      return part < least ? 0.f : part;
-    };
-    s.executor.for_each("start pressure", s.particles.count,
-                        [=](std::uint32_t i) { p[i] = part_of(last[i]); });
-    p[s.particles.count] = 0;
-    for (std::uint32_t k = 0; k < s.boundary.wet_count; ++k) {
-      const std::uint32_t b = s.boundary.wet[k];
-      s.boundary.step_pressure[b] = part_of(s.boundary.pressure[b]);
-    }
+    const std::uint32_t n = s.particles.count;
+    const BoundaryView solid = s.boundary;
+    s.executor.for_each("start pressure", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+      p[i] = i < n ? part_of(share, last[i], least) : 0.f;
+    });
+    s.executor.for_each("start pressure", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+      const std::uint32_t b = solid.wet[k];
+      solid.step_pressure[b] = part_of(share, solid.pressure[b], least);
+    });
   }
 
   /// Pressure acceleration and the position it leads to; returns how far pressure moves a particle
@@ -154,20 +164,24 @@ class Pcisph : public PressureSolver {
                      acceleration = p.acceleration.view();
     const float* pressure = p.step_pressure.data();
     const float dt2 = s.time_step * s.time_step;
-    const Largest squared_move =
-        s.executor.reduce<Largest>("pressure acceleration", p.count, [&](std::uint32_t i) {
-          if (s.is_held(i)) {
+    const StepView step = s.view();
+    const Kernel kernel = pressure_kernel_;
+    const Largest squared_move = s.executor.reduce<Largest>(
+        "pressure acceleration", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+          if (step.is_held(i)) {
             acceleration.set(i, {0, 0, 0});
             corrected.set(i, drifted[i]);
             return Largest{};
           }
-          const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
-                                                      pressure, s.neighbours, s.boundary);
+          const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, drifted, pressure,
+                                                      step.neighbours, step.boundary);
           acceleration.set(i, a);
-          corrected.set(i, s.moved(i, dt2 * a));
+          corrected.set(i, step.moved(i, dt2 * a));
           return Largest{dt2 * dt2 * dot(a, a)};
         });
-    corrected.set(p.count, {sentinel_position, sentinel_position, sentinel_position});
+    s.executor.for_each("sentinel", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+      corrected.set(step.count, {sentinel_position, sentinel_position, sentinel_position});
+    });
     return std::sqrt(squared_move.value);
   }
 
@@ -177,16 +191,20 @@ class Pcisph : public PressureSolver {
     Particles& p = s.particles;
     const Vec3Arrays corrected = p.corrected_position.view();
     const float* pressure = p.step_pressure.data();
+    float* ratio = p.density_ratio.data();
+    const StepView step = s.view();
+    const CubicKernel kernel = density_kernel_;
+    const float most = settings_.max_compression;
+    const bool settling = s.settling;
     Residual residual =
-        s.executor.reduce<Residual>("predict density", p.count, [&](std::uint32_t i) {
-          p.density_ratio[i] =
-              density_ratio(i, s.constants, density_kernel_, corrected, s.neighbours, s.boundary);
-          if (s.is_held(i))
+        s.executor.reduce<Residual>("predict density", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+          ratio[i] =
+              density_ratio(i, step.constants, kernel, corrected, step.neighbours, step.boundary);
+          if (step.is_held(i))
             return Residual{};
-          const float wanted = compression_of(s, i);
-          const bool too_dense = s.excess[i] > settings_.max_compression;
-          const float compression =
-              std::max(0.f, s.settling || too_dense ? wanted : p.density_ratio[i] - 1.f);
+          const float wanted = step.compression(i);
+          const bool too_dense = step.excess[i] > most;
+          const float compression = std::max(0.f, settling || too_dense ? wanted : ratio[i] - 1.f);
           const float error = std::abs(std::max(wanted, -pressure[i] / delta));
           return Residual{compression, error, compression};
         });
@@ -198,14 +216,15 @@ class Pcisph : public PressureSolver {
   /// particles that lands on a floor bounces.
   double predict_wet_density(const StepContext& s, float delta) {
     const Vec3Arrays corrected = s.particles.corrected_position.view();
-    const BoundaryView& solid = s.boundary;
-    float* compression = wet_compression_.resized(solid.wet_count);
-    const Sum error =
-        s.executor.reduce<Sum>("predict density", solid.wet_count, [&](std::uint32_t k) {
+    const StepView step = s.view();
+    const CubicKernel kernel = density_kernel_;
+    float* compression = wet_compression_.resized(s.boundary.wet_count);
+    const Sum error = s.executor.reduce<Sum>(
+        "predict density", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+          const BoundaryView& solid = step.boundary;
           const std::uint32_t b = solid.wet[k];
-          compression[k] =
-              boundary_density_ratio(b, s.constants, density_kernel_, corrected, solid) - 1.f -
-              kept_by_sample(s, b);
+          compression[k] = boundary_density_ratio(b, step.constants, kernel, corrected, solid) -
+                           1.f - step.kept_by_sample(b);
           return Sum{std::abs(std::max(compression[k], -solid.step_pressure[b] / delta))};
         });
     return error.value;
@@ -214,22 +233,16 @@ class Pcisph : public PressureSolver {
   /// The unknowns are the pressures of the particles, then of the wet boundary samples. Where
   /// pressure would have to fall below zero the residual ends at what takes it to zero.
   void note_residual(const StepContext& s, float delta) {
-    const BoundaryView& solid = s.boundary;
+    const StepView step = s.view();
+    const BoundaryView solid = s.boundary;
     const std::uint32_t n = s.particles.count;
-    acceleration_.add(s.executor, n + solid.wet_count, [&](std::uint32_t k) {
+    const float *p = s.particles.step_pressure.data(), *wet = wet_compression_.data();
+    acceleration_.add(s.executor, n + solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
       const bool liquid = k < n;
-      const float pressure =
-          liquid ? s.particles.step_pressure[k] : solid.step_pressure[solid.wet[k - n]];
-      const float compression = liquid ? compression_of(s, k) : wet_compression_[k - n];
-      return AndersonAcceleration::Point{pressure, std::max(compression, -pressure / delta)};
+      const float pressure = liquid ? p[k] : solid.step_pressure[solid.wet[k - n]];
+      const float compression = liquid ? step.compression(k) : wet[k - n];
+      return AndersonPoint{pressure, std::max(compression, -pressure / delta)};
     });
-  }
-
-  static float compression_of(const StepContext& s, std::uint32_t i) {
-    return s.particles.density_ratio[i] - 1.f - s.excess[i];
-  }
-  static float kept_by_sample(const StepContext& s, std::uint32_t b) {
-    return s.kept * s.boundary.compression[b];
   }
 
   /// The first correction of a step: what the whole liquid needs, from the coarse grid, and what
@@ -237,32 +250,36 @@ class Pcisph : public PressureSolver {
   void correct_everywhere(const StepContext& s, float delta) {
     coarse_.build(s, delta);
     float* p = s.particles.step_pressure.data();
+    const float* wet = wet_compression_.data();
     const std::uint32_t n = s.particles.count;
-    coarse_.solve(s, [&](std::uint32_t k) {
-      return k < n ? CoarsePressure::Error{compression_of(s, k), p[k] / delta}
-                   : CoarsePressure::Error{wet_compression_[k - n],
-                                           s.boundary.step_pressure[s.boundary.wet[k - n]] / delta};
+    const StepView step = s.view();
+    coarse_.solve(s, [=] SPINDRIFT_HD(std::uint32_t k) {
+      return k < n ? CoarsePressure::Error{step.compression(k), p[k] / delta}
+                   : CoarsePressure::Error{
+                         wet[k - n], step.boundary.step_pressure[step.boundary.wet[k - n]] / delta};
     });
     const float part = relaxation * delta;
-    s.executor.for_each("correct pressure", static_cast<std::uint32_t>(s.grid->cell_count()),
-                        [&](std::uint32_t c) {
-                          coarse_.at_particles(s, c, [&](std::uint32_t i, float everywhere) {
-                            p[i] = std::max(0.f, p[i] + part * compression_of(s, i) + everywhere);
-                          });
-                        });
-    s.executor.for_each("correct pressure", s.boundary.wet_count, [&](std::uint32_t k) {
-      float& pb = s.boundary.step_pressure[s.boundary.wet[k]];
-      pb = std::max(0.f, pb + part * wet_compression_[k] + coarse_.at_wall(s, k));
+    const CoarseView coarse = coarse_.view();
+    s.executor.for_each("correct pressure", s.grid.cell_count, [=] SPINDRIFT_HD(std::uint32_t c) {
+      coarse.at_particles(c, [&](std::uint32_t i, float everywhere) {
+        p[i] = std::max(0.f, p[i] + part * step.compression(i) + everywhere);
+      });
     });
+    s.executor.for_each("correct pressure", s.boundary.wet_count,
+                        [=] SPINDRIFT_HD(std::uint32_t k) {
+                          float& pb = step.boundary.step_pressure[step.boundary.wet[k]];
+                          pb = std::max(0.f, pb + part * wet[k] + coarse.at_wall(k));
+                        });
   }
 
   void correct_pressure(const StepContext& s, float delta) {
     const std::uint32_t n = s.particles.count;
     float* p = s.particles.step_pressure.data();
-    const BoundaryView& solid = s.boundary;
+    const BoundaryView solid = s.boundary;
     const float part = relaxation * delta;
-    s.executor.for_each("correct pressure", n + solid.wet_count, [&](std::uint32_t k) {
-      const AndersonAcceleration::Point best = acceleration_.at(k);
+    const AndersonView history = acceleration_.view();
+    s.executor.for_each("correct pressure", n + solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+      const AndersonPoint best = history.at(k);
       const float pressure = std::max(0.f, best.iterate + part * best.residual);
       (k < n ? p[k] : solid.step_pressure[solid.wet[k - n]]) = pressure;
     });
@@ -271,7 +288,7 @@ class Pcisph : public PressureSolver {
   struct Errors {
     double before = 0, after = 0;  ///< Σ of their squares
     float largest_before = 0, largest_after = 0;
-    void join(const Errors& o) {
+    SPINDRIFT_HD void join(const Errors& o) {
       before += o.before;
       after += o.after;
       largest_before = std::max(largest_before, o.largest_before);
@@ -287,25 +304,29 @@ class Pcisph : public PressureSolver {
                      corrected = p.corrected_position.view();
     float *ratio = p.density_ratio.data(), *moved_ratio = p.excess.data();
     const float* pressure = p.pressure.data();
-    const Errors errors = s.executor.reduce<Errors>("ease", p.count, [&](std::uint32_t i) {
+    const StepView step = s.view();
+    const CubicKernel kernel = density_kernel_;
+    const auto compare = [=] SPINDRIFT_HD(std::uint32_t i) {
       moved_ratio[i] =
-          density_ratio(i, s.constants, density_kernel_, moved, s.neighbours, s.boundary);
-      if (s.is_held(i))
+          density_ratio(i, step.constants, kernel, moved, step.neighbours, step.boundary);
+      if (step.is_held(i))
         return Errors{};
       const double before = std::max(ratio[i] - 1, -pressure[i] / delta),
                    after = std::max(moved_ratio[i] - 1, -pressure[i] / delta);
       return Errors{before * before, after * after, ratio[i] - 1, moved_ratio[i] - 1};
-    });
+    };
+    const Errors errors = s.executor.reduce<Errors>("ease", p.count, compare);
     if (errors.after > errors.before ||
         errors.largest_after > std::max(errors.largest_before, settings_.max_compression))
       return;
-    s.executor.for_each("ease", p.count, [&](std::uint32_t i) {
+    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
       x.set(i, moved[i]);
       corrected.set(i, moved[i]);
       ratio[i] = moved_ratio[i];
     });
   }
 
+ private:
   SolverSettings settings_;
   CubicKernel density_kernel_;
   Kernel pressure_kernel_;
@@ -325,4 +346,4 @@ std::unique_ptr<PressureSolver> make_pcisph(const SolverSettings& settings,
   return std::make_unique<Pcisph<CubicKernel>>(settings, constants, CubicKernel(radius));
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

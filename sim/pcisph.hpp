@@ -6,10 +6,10 @@
 #include "sim/settings.hpp"
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// @param settings tolerances and limits of the iteration
 std::unique_ptr<PressureSolver> make_pcisph(const SolverSettings& settings,
                                             const FluidConstants& constants);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact.hpp"
 #include "sim/open_faces.hpp"
 #include "sim/shapes.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 namespace {

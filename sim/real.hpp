@@ -1,76 +1,28 @@
 // Arithmetic types of the per-particle formulas. A formula is a template over its number type:
-// `float` for one neighbour at a time, `Lanes` for eight at once (one AVX register, or two SSE
-// ones; the order of operations is the same on both, so the results are too).
+// `float` for one neighbour at a time, `Lanes` for eight at once on the processor.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
-#ifdef __AVX2__
-#include <immintrin.h>
+
+#include "sim/host_device.hpp"
+#ifndef SPINDRIFT_DEVICE
+#include "sim/openmp/lanes.hpp"
 #endif
 
 namespace spindrift::sim {
 
-constexpr int lane_count = 8;
-using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
-using IndexLanes = std::int32_t __attribute__((vector_size(lane_count * sizeof(std::int32_t))));
-
-inline float square_root(float x) {
+SPINDRIFT_HD inline float square_root(float x) {
   return std::sqrt(x);
 }
 
-inline Lanes square_root(Lanes x) {
-#ifdef __AVX__
-  return _mm256_sqrt_ps(x);
-#else
-  Lanes r;
-  for (int k = 0; k < lane_count; ++k)
-    r[k] = std::sqrt(x[k]);
-  return r;
-#endif
-}
-
-inline float rounded_down(float x) {
+SPINDRIFT_HD inline float rounded_down(float x) {
   return std::floor(x);
 }
 
-/// Of numbers that 32-bit integers can hold.
-inline Lanes rounded_down(Lanes x) {
-  const Lanes whole = __builtin_convertvector(__builtin_convertvector(x, IndexLanes), Lanes);
-  return whole > x ? whole - 1.f : whole;
-}
-
-/// Eight elements of an array that follow each other.
-inline Lanes consecutive(const float* a) {
-  Lanes v;
-  __builtin_memcpy(&v, a, sizeof v);
-  return v;
-}
-
 /// The elements `j` of an array.
-inline float load(const float* a, std::uint32_t j) {
+SPINDRIFT_HD inline float load(const float* a, std::uint32_t j) {
   return a[j];
-}
-
-inline Lanes load(const float* a, IndexLanes j) {
-#ifdef __AVX2__
-  // The instruction merges into its target. With zeros as what it merges into it need not wait for
-  // what the register held; _mm256_i32gather_ps() leaves that open, and gathers wait in a row.
-  const __m256 zeros = _mm256_setzero_ps();
-  const __m256 all = _mm256_castsi256_ps(_mm256_set1_epi32(-1));
-  return _mm256_mask_i32gather_ps(zeros, a, reinterpret_cast<__m256i>(j), all, 4);
-#else
-  Lanes r;
-  for (int k = 0; k < lane_count; ++k)
-    r[k] = a[j[k]];
-  return r;
-#endif
-}
-
-/// Sum of the lanes, always in the same order.
-inline float reduce(Lanes v) {
-  const float s0 = v[0] + v[4], s1 = v[1] + v[5], s2 = v[2] + v[6], s3 = v[3] + v[7];
-  return (s0 + s2) + (s1 + s3);
 }
 
 template <class Real>
@@ -79,27 +31,30 @@ struct Vec3 {
 };
 
 template <class A, class B>
-inline auto operator+(const Vec3<A>& a, const Vec3<B>& b) {
+SPINDRIFT_HD inline auto operator+(const Vec3<A>& a, const Vec3<B>& b) {
   return Vec3<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class A, class B>
-inline auto operator-(const Vec3<A>& a, const Vec3<B>& b) {
+SPINDRIFT_HD inline auto operator-(const Vec3<A>& a, const Vec3<B>& b) {
   return Vec3<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class S, class A>
-inline auto operator*(S s, const Vec3<A>& a) {
+SPINDRIFT_HD inline auto operator*(S s, const Vec3<A>& a) {
   return Vec3<decltype(s * a.x)>{s * a.x, s * a.y, s * a.z};
 }
 template <class A>
-inline Vec3<A>& operator+=(Vec3<A>& a, const Vec3<A>& b) {
+SPINDRIFT_HD inline Vec3<A>& operator+=(Vec3<A>& a, const Vec3<A>& b) {
   a = a + b;
   return a;
 }
 template <class A>
-inline A dot(const Vec3<A>& a, const Vec3<A>& b) {
+SPINDRIFT_HD inline A dot(const Vec3<A>& a, const Vec3<A>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-inline Vec3<float> reduce(const Vec3<Lanes>& a) {
+
+/// Of components that are eight lanes each, their sums.
+template <class Real>
+Vec3<float> reduce(const Vec3<Real>& a) {
   return {reduce(a.x), reduce(a.y), reduce(a.z)};
 }
 
@@ -110,10 +65,10 @@ struct Vec3Arrays {
   float* z = nullptr;
 
   template <class Index>
-  auto operator[](Index j) const {
+  SPINDRIFT_HD auto operator[](Index j) const {
     return Vec3<decltype(load(x, j))>{load(x, j), load(y, j), load(z, j)};
   }
-  void set(std::uint32_t i, const Vec3<float>& v) const {
+  SPINDRIFT_HD void set(std::uint32_t i, const Vec3<float>& v) const {
     x[i] = v.x;
     y[i] = v.y;
     z[i] = v.z;

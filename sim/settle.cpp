@@ -7,7 +7,7 @@
 
 #include "sim/pcisph.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Sweeps after which there is taken to be no room for the liquid.
@@ -22,18 +22,23 @@ constexpr float same_place = 0.01f;
 struct Compression {
   double sum = 0;
   float largest = 0;
-  void join(const Compression& o) {
+  SPINDRIFT_HD void join(const Compression& o) {
     sum += o.sum;
     largest = std::max(largest, o.largest);
   }
 };
 
 /// A direction that depends on the number alone (golden-angle spiral on the sphere).
-Vec3<float> direction_of(std::uint32_t id) {
+SPINDRIFT_HD Vec3<float> direction_of(std::uint32_t id) {
   const double z = 1 - 2 * std::fmod(0.5 + 0.6180339887498949 * id, 1.);
   const double angle = 2.399963229728653 * id, across = std::sqrt(1 - z * z);
   return {static_cast<float>(across * std::cos(angle)),
           static_cast<float>(across * std::sin(angle)), static_cast<float>(z)};
+}
+
+/// Whether a nozzle moves particle i.
+SPINDRIFT_HD bool is_held(const float* held, std::uint32_t i) {
+  return held != nullptr && held[i] > 0;
 }
 
 struct Settling {
@@ -65,15 +70,10 @@ struct Settling {
 
   void find_neighbours() {
     const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
-    executor.for_each("settle", particles.count, [=](std::uint32_t i) { at.set(i, x[i]); });
+    executor.for_each("settle", particles.count,
+                      [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
     neighbourhood.update(executor, particles, radius);
     inflow.mark(particles);
-  }
-
-  /// Whether a nozzle moves particle i.
-  bool is_held(std::uint32_t i) const {
-    const float* held = inflow.held();
-    return held != nullptr && held[i] > 0;
   }
 
   Compression compression() {
@@ -83,13 +83,15 @@ struct Settling {
     const NeighbourView neighbours = neighbourhood.fluid();
     const BoundaryView solid = neighbourhood.boundary();
     float* above = particles.compression.resized(particles.count);
-    return executor.reduce<Compression>("settle", particles.count, [&](std::uint32_t i) {
-      above[i] =
-          is_held(i)
-              ? 0
-              : std::max(0.f, density_ratio(i, constants, kernel, position, neighbours, solid) - 1);
+    const float* held = inflow.held();
+    const FluidConstants c = constants;
+    const auto measure_one = [=] SPINDRIFT_HD(std::uint32_t i) {
+      above[i] = is_held(held, i)
+                     ? 0
+                     : std::max(0.f, density_ratio(i, c, kernel, position, neighbours, solid) - 1);
       return Compression{above[i], above[i]};
-    });
+    };
+    return executor.reduce<Compression>("settle", particles.count, measure_one);
   }
 
   /// A particle that nothing presses on lies as far off the walls as liquid at rest does.
@@ -97,9 +99,13 @@ struct Settling {
     find_neighbours();
     const Vec3Arrays x = particles.position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
-    executor.for_each("settle", particles.count, [&](std::uint32_t i) {
-      if (neighbours.alone(i, particles.count) && !is_held(i))
-        x.set(i, contact.resolve_off_walls(x[i], 0.5f * constants.spacing));
+    const float* held = inflow.held();
+    const std::uint32_t n = particles.count;
+    const ContactView walls = contact;
+    const float distance = 0.5f * constants.spacing;
+    executor.for_each("settle", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (neighbours.alone(i, n) && !is_held(held, i))
+        x.set(i, walls.resolve_off_walls(x[i], distance));
     });
   }
 
@@ -108,14 +114,17 @@ struct Settling {
     const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
     const float near = same_place * constants.spacing;
-    executor.for_each("settle", particles.count, [&](std::uint32_t i) {
+    const float* held = inflow.held();
+    const ContactView walls = contact;
+    const std::uint32_t* ids = particles.ids.data();
+    executor.for_each("settle", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
       const Vec3<float> xi = at[i];
       const float count = neighbours.sum(i, [&](auto j) {
         const auto d = xi - at[j];
         return dot(d, d) < near * near ? 1.f + 0.f * d.x : 0.f * d.x;
       });
-      if (count > 1.5f && !is_held(i))
-        x.set(i, contact.resolve(xi + 5 * near * direction_of(particles.ids[i])));
+      if (count > 1.5f && !is_held(held, i))
+        x.set(i, walls.resolve(xi + 5 * near * direction_of(ids[i])));
     });
     find_neighbours();
   }
@@ -128,7 +137,7 @@ struct Settling {
     float* pressure = particles.pressure.data();
     int refusals = 0;
     for (float part = left_by_a_sweep;; part = 0.5f * (1 + part), ++refusals) {
-      executor.for_each("settle", n, [=](std::uint32_t i) {
+      executor.for_each("settle", n, [=] SPINDRIFT_HD(std::uint32_t i) {
         excess[i] = part * above[i];
         pressure[i] = 0;
       });
@@ -137,7 +146,7 @@ struct Settling {
                                                .constants = constants,
                                                .neighbours = neighbourhood.fluid(),
                                                .boundary = neighbourhood.boundary(),
-                                               .grid = &neighbourhood.grid(),
+                                               .grid = neighbourhood.grid(),
                                                .map = &map,
                                                .contact = contact,
                                                .held = inflow.held(),
@@ -153,7 +162,7 @@ struct Settling {
         break;
     }
     const Vec3Arrays corrected = particles.corrected_position.view();
-    executor.for_each("settle", n, [=](std::uint32_t i) { x.set(i, corrected[i]); });
+    executor.for_each("settle", n, [=] SPINDRIFT_HD(std::uint32_t i) { x.set(i, corrected[i]); });
   }
 };
 
@@ -167,4 +176,4 @@ int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhoo
       .run();
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

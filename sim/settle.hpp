@@ -5,7 +5,7 @@
 #include "sim/inflow.hpp"
 #include "sim/neighbourhood.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Moves particles that start denser than the solver's tolerances allow, as where volumes overlap
 /// or reach into a wall, apart until they are not. Positions only: nothing gets a velocity from it,
@@ -18,4 +18,4 @@ int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhoo
            const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
            const ContactView& contact, float radius);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

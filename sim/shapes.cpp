@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/contact.hpp"
+#include "sim/open_faces.hpp"
 #include "sim/shapes/mesh_body.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -83,13 +84,6 @@ std::vector<glm::vec3> box_surface(glm::vec3 min, glm::vec3 max, float d) {
   return points;
 }
 
-/// Two directions across an axis of unit length.
-std::pair<glm::vec3, glm::vec3> across(glm::vec3 axis) {
-  const glm::vec3 helper = std::abs(axis.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 u = glm::normalize(glm::cross(axis, helper));
-  return {u, glm::cross(axis, u)};
-}
-
 /// Surface of a capsule `length` long between the centres of its ends, or of a ball where that is
 /// 0. A spiral with equal area per point: the height along the axis falls evenly, since a zone of a
 /// ball has the area of a cylinder's (Archimedes), and the angle grows by the golden angle.
@@ -113,7 +107,7 @@ std::vector<glm::vec3> round_surface(glm::vec3 center, const glm::mat3& frame, f
 
 /// Rings up the side and concentric rings on both ends.
 std::vector<glm::vec3> cylinder_surface(glm::vec3 from, glm::vec3 to, float radius, float d) {
-  const auto [u, v] = across(glm::normalize(to - from));
+  const glm::vec3 axis = glm::normalize(to - from), u = across(axis), v = glm::cross(axis, u);
   std::vector<glm::vec3> points;
   const auto add_ring = [&](glm::vec3 center, float r) {
     const int n = std::max(1, static_cast<int>(std::lround(2 * std::numbers::pi * r / d)));
@@ -166,7 +160,7 @@ std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing) {
                  [&](const Capsule& c) {
                    const float length = glm::length(c.to - c.from);
                    const glm::vec3 axis = (c.to - c.from) / length;
-                   const auto [u, v] = across(axis);
+                   const glm::vec3 u = across(axis), v = glm::cross(axis, u);
                    return round_surface(0.5f * (c.from + c.to), {u, axis, v}, length,
                                         below(c.radius), spacing);
                  },
@@ -210,66 +204,6 @@ Box bounds_of(const Shape& shape) {
 
 bool is_inside(const Shape& shape, const glm::vec3& p) {
   return contains(shape, {p.x, p.y, p.z});
-}
-
-Vec3<float> push_out(const Shape& shape, Vec3<float> p) {
-  const glm::vec3 q(p.x, p.y, p.z);
-  const auto from_glm = [](glm::vec3 v) { return Vec3<float>{v.x, v.y, v.z}; };
-  return std::visit(
-      Overloaded{[&](const Box& b) {
-                   const glm::vec3 low = q - b.min, high = b.max - q;
-                   const glm::vec3 depth = glm::min(low, high);
-                   if (depth.x <= 0 || depth.y <= 0 || depth.z <= 0)
-                     return p;
-                   const int axis = depth.x <= depth.y ? (depth.x <= depth.z ? 0 : 2)
-                                                       : (depth.y <= depth.z ? 1 : 2);
-                   glm::vec3 out = q;
-                   out[axis] = low[axis] <= high[axis] ? b.min[axis] : b.max[axis];
-                   return from_glm(out);
-                 },
-                 [&](const Sphere& s) {
-                   const glm::vec3 offset = q - s.center;
-                   const float r = glm::length(offset);
-                   if (r >= s.radius)
-                     return p;
-                   const glm::vec3 n = r > 0 ? offset / r : glm::vec3(0, 1, 0);
-                   return from_glm(s.center + s.radius * n);
-                 },
-                 [&](const Cylinder& c) {
-                   const float length = glm::length(c.to - c.from);
-                   const glm::vec3 axis = (c.to - c.from) / length;
-                   const float along = glm::dot(q - c.from, axis);
-                   const glm::vec3 radial = q - c.from - along * axis;
-                   const float r = glm::length(radial);
-                   if (along <= 0 || along >= length || r >= c.radius)
-                     return p;
-                   const float side = c.radius - r, below = along, above = length - along;
-                   if (side <= below && side <= above) {
-                     const glm::vec3 n = r > 0 ? radial / r : glm::vec3(axis.y, axis.z, axis.x);
-                     return from_glm(c.from + along * axis + c.radius * n);
-                   }
-                   return from_glm(below <= above ? q - below * axis : q + above * axis);
-                 },
-                 [&](const Capsule& c) {
-                   const glm::vec3 axis = c.to - c.from;
-                   const float along = glm::dot(q - c.from, axis) / glm::dot(axis, axis);
-                   const glm::vec3 nearest = c.from + glm::clamp(along, 0.f, 1.f) * axis;
-                   const glm::vec3 offset = q - nearest;
-                   const float r = glm::length(offset);
-                   if (r >= c.radius)
-                     return p;
-                   const glm::vec3 n = r > 0 ? offset / r : across(glm::normalize(axis)).first;
-                   return from_glm(nearest + c.radius * n);
-                 },
-                 [&](const TriangleMesh& m) { return from_glm(m.body->push_out(q)); }},
-      shape);
-}
-
-bool contains(const Shape& shape, Vec3<float> p) {
-  if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&shape))
-    return mesh->body->contains({p.x, p.y, p.z});
-  const Vec3<float> moved = push_out(shape, p) - p;
-  return dot(moved, moved) > 0;
 }
 
 }  // namespace spindrift::sim

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/backend_choice.hpp"
 #include "sim/exchange.hpp"
 #include "sim/settings.hpp"
 
@@ -55,6 +56,8 @@ struct PhaseTime {
   std::int64_t calls = 0;
 };
 
+class Engine;
+
 class Simulation {
  public:
   /// Fills the volumes and samples the walls. @throws std::invalid_argument when nothing can be
@@ -72,14 +75,15 @@ class Simulation {
   FrameStatistics advance_to(double time, const std::atomic<bool>* stop = nullptr);
 
   Frame frame() const;
+  const BackendChoice& backend() const { return backend_; }
   std::size_t particle_count() const;
   std::size_t boundary_particle_count() const;
   std::size_t memory_bytes() const;
   std::vector<PhaseTime> phase_times() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  BackendChoice backend_;
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace spindrift::sim

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/lattice.hpp"
 #include "sim/velocity_change.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 TensionView view_of(const FluidConstants& c) {
@@ -29,14 +28,6 @@ TensionView view_of(const FluidConstants& c) {
 
 }  // namespace
 
-TensionKernel::TensionKernel(float spacing, float support_radius)
-    : inverse_squared_radius(1 / (support_radius * support_radius)) {
-  double sum = 0;
-  for_lattice_points(spacing, support_radius,
-                     [&](const Vec3<float>& p) { sum += std::pow(double{reach(dot(p, p))}, 3); });
-  scale = static_cast<float>(1 / sum);
-}
-
 SurfaceTension::SurfaceTension(const FluidConstants& constants) : view_(view_of(constants)) {}
 
 bool SurfaceTension::apply(const StepContext& s) {
@@ -46,14 +37,18 @@ bool SurfaceTension::apply(const StepContext& s) {
   gradient_.resize(n);
   view_.gradient = gradient_.view();
   const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view();
-  s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
-    const Colour<float> c = colour(i, s.constants, view_, x, s.neighbours, s.boundary);
-    view_.lack[i] = std::max(0.f, 1 - c.value);
-    view_.gradient.set(i, c.gradient);
+  const StepView step = s.view();
+  const TensionView view = view_;
+  const float kick = s.kick;
+  s.executor.for_each("surface tension", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Colour<float> c = colour(i, step.constants, view, x, step.neighbours, step.boundary);
+    view.lack[i] = std::max(0.f, 1 - c.value);
+    view.gradient.set(i, c.gradient);
   });
-  s.executor.for_each("surface tension", n, [&](std::uint32_t i) {
-    dv.set(i, s.is_held(i) ? Vec3<float>{0, 0, 0}
-                           : s.kick * tension_acceleration(i, view_, x, s.neighbours, s.boundary));
+  s.executor.for_each("surface tension", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    dv.set(i, step.is_held(i)
+                  ? Vec3<float>{0, 0, 0}
+                  : kick * tension_acceleration(i, view, x, step.neighbours, step.boundary));
   });
   return change_velocities(s, "apply surface tension");
 }
@@ -63,4 +58,4 @@ float SurfaceTension::time_step_limit(const FluidConstants& c) {
   return 0.3f * std::sqrt(c.rest_density * d * d * d / c.surface_tension);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

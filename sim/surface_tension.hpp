@@ -16,6 +16,9 @@
 // the tension, and Young's equation gives −cos θ = (1 − φ)².
 #pragma once
 
+#include <cmath>
+
+#include "sim/lattice.hpp"
 #include "sim/solver.hpp"
 
 namespace spindrift::sim {
@@ -26,11 +29,17 @@ struct TensionKernel {
   float inverse_squared_radius;  ///< 1/H², 1/m²
   float scale = 1;
 
-  TensionKernel(float spacing, float support_radius);
+  TensionKernel(float spacing, float support_radius)
+      : inverse_squared_radius(1 / (support_radius * support_radius)) {
+    double sum = 0;
+    for_lattice_points(spacing, support_radius,
+                       [&](const Vec3<float>& p) { sum += std::pow(double{reach(dot(p, p))}, 3); });
+    scale = static_cast<float>(1 / sum);
+  }
 
   /// 1 − r²/H², zero from H on.
   template <class Real>
-  Real reach(Real squared_distance) const {
+  SPINDRIFT_HD Real reach(Real squared_distance) const {
     const Real t = 1.f - squared_distance * inverse_squared_radius;
     const Real zero = t * 0.f;
     return t > 0.f ? t : zero;
@@ -53,19 +62,23 @@ struct Colour {
   Real value{};
   Vec3<Real> gradient{};
 
-  Colour& operator+=(const Colour& o) {
+  SPINDRIFT_HD Colour& operator+=(const Colour& o) {
     value += o.value;
     gradient += o.gradient;
     return *this;
   }
 };
-inline Colour<float> reduce(const Colour<Lanes>& c) {
+template <class Real>
+Colour<float> reduce(const Colour<Real>& c) {
   return {reduce(c.value), reduce(c.gradient)};
 }
 
-inline Colour<float> colour(std::uint32_t i, const FluidConstants& c, const TensionView& tension,
-                            const Vec3Arrays& position, const NeighbourView& neighbours,
-                            const BoundaryView& boundary) {
+inline namespace SPINDRIFT_BACKEND {
+
+SPINDRIFT_HD inline Colour<float> colour(std::uint32_t i, const FluidConstants& c,
+                                         const TensionView& tension, const Vec3Arrays& position,
+                                         const NeighbourView& neighbours,
+                                         const BoundaryView& boundary) {
   const TensionKernel& kernel = tension.kernel;
   const Vec3<float> xi = position[i];
   Colour<float> sum = neighbours.sum(i, [&](auto j) {
@@ -84,9 +97,10 @@ inline Colour<float> colour(std::uint32_t i, const FluidConstants& c, const Tens
 }
 
 /// Acceleration by surface tension, m/s².
-inline Vec3<float> tension_acceleration(std::uint32_t i, const TensionView& tension,
-                                        const Vec3Arrays& position, const NeighbourView& neighbours,
-                                        const BoundaryView& boundary) {
+SPINDRIFT_HD inline Vec3<float> tension_acceleration(std::uint32_t i, const TensionView& tension,
+                                                     const Vec3Arrays& position,
+                                                     const NeighbourView& neighbours,
+                                                     const BoundaryView& boundary) {
   const TensionKernel& kernel = tension.kernel;
   const Vec3<float> xi = position[i], gi = tension.gradient[i];
   const float qi = tension.lack[i];
@@ -130,4 +144,5 @@ class SurfaceTension {
   VectorField gradient_;  ///< d ∇c
 };
 
+}  // namespace SPINDRIFT_BACKEND
 }  // namespace spindrift::sim

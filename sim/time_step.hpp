@@ -1,7 +1,8 @@
 // How long the next step may be: the CFL number, forces, viscosity, and the frame's time ahead.
 #pragma once
 
-#include "sim/formulas.hpp"
+#include "sim/fluid_constants.hpp"
+#include "sim/real.hpp"
 #include "sim/settings.hpp"
 
 namespace spindrift::sim {

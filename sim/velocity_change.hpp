@@ -5,7 +5,7 @@
 
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Adds the velocity changes that stand in `acceleration`, m/s, to the drifted velocities, and
 /// moves the drifted positions on by them. What a nozzle moves is left alone.
@@ -17,16 +17,17 @@ inline bool change_velocities(const StepContext& s, std::string_view name) {
   const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
                    dv = p.acceleration.view();
   const float dt = s.time_step;
-  const ContactView walls = s.contact;
-  const Largest squared_move = s.executor.reduce<Largest>(name, p.count, [=, &s](std::uint32_t i) {
-    if (s.is_held(i))
+  const StepView step = s.view();
+  const auto change_one = [=] SPINDRIFT_HD(std::uint32_t i) {
+    if (step.is_held(i))
       return Largest{};
     const Vec3<float> change = dv[i], move = dt * change;
     v.set(i, v[i] + change);
-    x.set(i, walls.resolve(x[i] + move));
+    x.set(i, step.contact.resolve(x[i] + move));
     return Largest{dot(move, move)};
-  });
+  };
+  const auto squared_move = s.executor.reduce<Largest>(name, p.count, change_one);
   return std::sqrt(squared_move.value) > largest_move * s.constants.support_radius;
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -6,7 +6,7 @@
 #include "sim/lattice.hpp"
 #include "sim/velocity_change.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
@@ -21,6 +21,15 @@ double stable_step(const FluidConstants& c, float wall_viscosity, const Diffusio
   return rate > 0 ? 0.5 / rate : INFINITY;
 }
 
+/// Acceleration by viscosity, m/s². What a nozzle moves is not slowed by its neighbours.
+SPINDRIFT_HD Vec3<float> free_acceleration(std::uint32_t i, const StepView& step,
+                                           const DiffusionKernel& kernel,
+                                           const Vec3Arrays& velocity) {
+  return step.is_held(i) ? Vec3<float>{0, 0, 0}
+                         : viscous_acceleration(i, step.constants, kernel, step.drifted, velocity,
+                                                step.neighbours, step.boundary);
+}
+
 }  // namespace
 
 Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
@@ -29,7 +38,6 @@ Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
       explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
 
 bool Viscosity::apply(const StepContext& s) {
-  s.particles.drifted_velocity.view().set(s.particles.count, {0, 0, 0});
   if (s.time_step <= explicit_limit_)
     explicit_step(s);
   else
@@ -37,21 +45,18 @@ bool Viscosity::apply(const StepContext& s) {
   return change_velocities(s, "apply viscosity");
 }
 
-/// What a nozzle moves is not slowed by its neighbours.
-Vec3<float> Viscosity::acceleration(std::uint32_t i, const StepContext& s,
-                                    const BoundaryView& walls, const Vec3Arrays& x,
-                                    const Vec3Arrays& v) const {
-  return s.is_held(i) ? Vec3<float>{0, 0, 0}
-                      : viscous_acceleration(i, s.constants, kernel_, x, v, s.neighbours, walls);
-}
-
 /// Leaves the change of velocity in `acceleration`.
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
-  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
-                   dv = p.acceleration.view();
-  s.executor.for_each("viscosity", p.count, [&](std::uint32_t i) {
-    dv.set(i, s.time_step * acceleration(i, s, s.boundary, x, v));
+  const Vec3Arrays v = p.drifted_velocity.view(), dv = p.acceleration.view();
+  const StepView step = s.view();
+  const DiffusionKernel kernel = kernel_;
+  const float dt = s.time_step;
+  s.executor.for_each("viscosity", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+    v.set(step.count, {0, 0, 0});
+  });
+  s.executor.for_each("viscosity", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    dv.set(i, dt * free_acceleration(i, step, kernel, v));
   });
 }
 
@@ -64,14 +69,16 @@ void Viscosity::implicit_step(const StepContext& s) {
   const std::uint32_t n = p.count;
   residual_.resize(n);
   image_.resize(n);
-  const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view(), r = residual_.view(),
+  const Vec3Arrays dv = p.acceleration.view(), r = residual_.view(),
                    direction = p.corrected_position.view(), image = image_.view();
   explicit_step(s);
-  BoundaryView walls = s.boundary;  // a change of velocity does not meet the walls' own
-  walls.velocity = {};
+  StepView step = s.view();
+  step.boundary.velocity = {};  // a change of velocity does not meet the walls' own
+  const DiffusionKernel kernel = kernel_;
+  const float dt = s.time_step;
   double squared = s.executor
                        .reduce<Sum>("viscosity", n,
-                                    [=](std::uint32_t i) {
+                                    [=] SPINDRIFT_HD(std::uint32_t i) {
                                       const Vec3<float> right = dv[i];
                                       r.set(i, right);
                                       direction.set(i, right);
@@ -79,37 +86,40 @@ void Viscosity::implicit_step(const StepContext& s) {
                                       return Sum{double{dot(right, right)}};
                                     })
                        .value;
-  direction.set(n, {0, 0, 0});
+  s.executor.for_each("viscosity", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+    direction.set(n, {0, 0, 0});
+  });
   const double goal = squared_tolerance * squared;
   for (int k = 0; k < most_iterations && squared > goal; ++k) {
     const double curvature =
         s.executor
             .reduce<Sum>("viscosity", n,
-                         [&](std::uint32_t i) {
+                         [=] SPINDRIFT_HD(std::uint32_t i) {
                            const Vec3<float> d = direction[i];
                            const Vec3<float> a =
-                               d - s.time_step * acceleration(i, s, walls, x, direction);
+                               d - dt * free_acceleration(i, step, kernel, direction);
                            image.set(i, a);
                            return Sum{double{dot(a, d)}};
                          })
             .value;
     if (!(curvature > 0))
       return;
-    const float step = static_cast<float>(squared / curvature);
+    const float way = static_cast<float>(squared / curvature);
     const double next = s.executor
                             .reduce<Sum>("viscosity", n,
-                                         [=](std::uint32_t i) {
-                                           dv.set(i, dv[i] + step * direction[i]);
-                                           const Vec3<float> left = r[i] - step * image[i];
+                                         [=] SPINDRIFT_HD(std::uint32_t i) {
+                                           dv.set(i, dv[i] + way * direction[i]);
+                                           const Vec3<float> left = r[i] - way * image[i];
                                            r.set(i, left);
                                            return Sum{double{dot(left, left)}};
                                          })
                             .value;
     const float beta = static_cast<float>(next / squared);
     squared = next;
-    s.executor.for_each("viscosity", n,
-                        [=](std::uint32_t i) { direction.set(i, r[i] + beta * direction[i]); });
+    s.executor.for_each("viscosity", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+      direction.set(i, r[i] + beta * direction[i]);
+    });
   }
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -4,7 +4,7 @@
 
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Viscosity {
  public:
@@ -15,14 +15,13 @@ class Viscosity {
   /// its neighbours are no longer those that are listed.
   bool apply(const StepContext& s);
 
-  std::size_t memory_bytes() const { return residual_.memory_bytes() + image_.memory_bytes(); }
-
- private:
-  Vec3<float> acceleration(std::uint32_t i, const StepContext& s, const BoundaryView& walls,
-                           const Vec3Arrays& x, const Vec3Arrays& v) const;
+  // The two ways to do it; public since CUDA has no loops in private functions.
   void explicit_step(const StepContext& s);
   void implicit_step(const StepContext& s);
 
+  std::size_t memory_bytes() const { return residual_.memory_bytes() + image_.memory_bytes(); }
+
+ private:
   float support_radius_;  ///< H, m
   DiffusionKernel kernel_;
   double explicit_limit_;  ///< largest stable explicit time step, s
@@ -30,4 +29,4 @@ class Viscosity {
   VectorField residual_, image_;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

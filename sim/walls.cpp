@@ -6,21 +6,24 @@
 #include "sim/motion.hpp"
 #include "sim/particles.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 Walls::Walls(const Settings& settings, const GridMap& map, float radius)
     : fixed_(without_moving(settings)),
       boundary_(fixed_, map, radius),
+      solids_(fixed_.obstacles.size()),
       moving_(any_moves(settings.obstacles)
                   ? std::make_unique<MovingBodies>(settings, map, boundary_)
-                  : nullptr) {}
+                  : nullptr) {
+  const std::vector<Solid> solids = solids_of(fixed_.obstacles);
+  std::copy(solids.begin(), solids.end(), solids_.begin());
+}
 
 ContactView Walls::contact() const {
-  ContactView view{from_glm(fixed_.domain.min), from_glm(fixed_.domain.max),
-                   fixed_.obstacles.data(), fixed_.obstacles.size(), OpenFaces(fixed_.domain)};
-  if (moving_)
-    view.bodies = moving_->bodies();
-  return view;
+  const std::span<const PosedBody> bodies = moving_ ? moving_->bodies() : decltype(bodies){};
+  return {from_glm(fixed_.domain.min), from_glm(fixed_.domain.max),
+          ObstacleView{solids_.data(), static_cast<std::uint32_t>(solids_.size()), bodies},
+          OpenFaces(fixed_.domain)};
 }
 
 void Walls::move(Executor& executor, double start, double end) {
@@ -60,4 +63,4 @@ std::size_t Walls::memory_bytes() const {
   return boundary_.memory_bytes() + (moving_ ? moving_->memory_bytes() : 0);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -9,7 +9,7 @@
 #include "sim/contact.hpp"
 #include "sim/moving_bodies.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Walls {
  public:
@@ -42,7 +42,8 @@ class Walls {
  private:
   Settings fixed_;  ///< without the obstacles that move
   Boundary boundary_;
+  Array<Solid> solids_;                   ///< what is fixed, but for the domain
   std::unique_ptr<MovingBodies> moving_;  ///< null where nothing moves
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
 /// p = ρ₀c²/γ ((ρ/ρ₀)^γ − 1), Tait's equation as in Monaghan 2005, eq. 4.3, with γ = 7; no tension.
-inline float tait_pressure(float density_ratio, float rest_density, float speed_of_sound) {
+SPINDRIFT_HD inline float tait_pressure(float density_ratio, float rest_density,
+                                        float speed_of_sound) {
   const float r2 = density_ratio * density_ratio;
   const float r7 = r2 * r2 * r2 * density_ratio;
   return std::max(0.f, rest_density * speed_of_sound * speed_of_sound / 7.f * (r7 - 1.f));
@@ -30,28 +31,37 @@ class Wcsph : public PressureSolver {
                      acceleration = p.acceleration.view();
     float* pressure = p.step_pressure.data();
     float* ratio = p.density_ratio.data();
-    s.executor.for_each("density", p.count, [&](std::uint32_t i) {
-      ratio[i] = density_ratio(i, s.constants, density_kernel_, drifted, s.neighbours, s.boundary);
-      pressure[i] = tait_pressure(ratio[i], s.constants.rest_density, speed_of_sound_);
+    const StepView step = s.view();
+    const CubicKernel density_kernel = density_kernel_;
+    const Kernel pressure_kernel = pressure_kernel_;
+    const float rest_density = s.constants.rest_density, speed_of_sound = speed_of_sound_;
+    s.executor.for_each("density", p.count + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (i == step.count) {
+        pressure[i] = 0;
+        return;
+      }
+      ratio[i] =
+          density_ratio(i, step.constants, density_kernel, drifted, step.neighbours, step.boundary);
+      pressure[i] = tait_pressure(ratio[i], rest_density, speed_of_sound);
     });
-    pressure[p.count] = 0;
-    s.executor.for_each("boundary density", s.boundary.wet_count, [&](std::uint32_t k) {
-      const std::uint32_t b = s.boundary.wet[k];
-      s.boundary.step_pressure[b] = tait_pressure(
-          boundary_density_ratio(b, s.constants, density_kernel_, drifted, s.boundary),
-          s.constants.rest_density, speed_of_sound_);
-    });
+    s.executor.for_each(
+        "boundary density", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+          const std::uint32_t b = step.boundary.wet[k];
+          step.boundary.step_pressure[b] = tait_pressure(
+              boundary_density_ratio(b, step.constants, density_kernel, drifted, step.boundary),
+              rest_density, speed_of_sound);
+        });
     const float dt2 = s.time_step * s.time_step;
-    s.executor.for_each("pressure acceleration", p.count, [&](std::uint32_t i) {
-      if (s.is_held(i)) {
+    s.executor.for_each("pressure acceleration", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (step.is_held(i)) {
         acceleration.set(i, {0, 0, 0});
         corrected.set(i, drifted[i]);
         return;
       }
-      const Vec3<float> a = pressure_acceleration(i, s.constants, pressure_kernel_, drifted,
-                                                  pressure, s.neighbours, s.boundary);
+      const Vec3<float> a = pressure_acceleration(i, step.constants, pressure_kernel, drifted,
+                                                  pressure, step.neighbours, step.boundary);
       acceleration.set(i, a);
-      corrected.set(i, s.moved(i, dt2 * a));
+      corrected.set(i, step.moved(i, dt2 * a));
     });
     return {};
   }
@@ -84,4 +94,4 @@ std::unique_ptr<PressureSolver> make_wcsph(const SolverSettings& settings,
                                               CubicKernel(radius));
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

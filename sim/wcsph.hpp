@@ -6,10 +6,10 @@
 #include "sim/settings.hpp"
 #include "sim/solver.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// @param speed_of_sound of the equation of state, m/s: the compression is about (v/c)²
 std::unique_ptr<PressureSolver> make_wcsph(const SolverSettings& settings,
                                            const FluidConstants& constants, float speed_of_sound);
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

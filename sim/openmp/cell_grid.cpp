@@ -3,13 +3,12 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline openmp {
 namespace {
 
 constexpr int digit_bits = 11;
@@ -54,24 +53,6 @@ void radix_pass(std::uint32_t n, PointAt point_at, KeyOf key_of, int shift,
 }
 
 }  // namespace
-
-GridMap GridMap::over(Vec3<float> min, Vec3<float> max, float cell) {
-  const auto cells = [&](float lo, float hi) {
-    return static_cast<double>(std::ceil((static_cast<double>(hi) - lo) / cell)) + 4;
-  };
-  const double nx = cells(min.x, max.x), ny = cells(min.y, max.y), nz = cells(min.z, max.z);
-  if (!(nx * ny * nz < 9e18 && nx < 1e7 && ny < 1e7 && nz < 1e7))
-    throw std::invalid_argument(
-        "the domain is more than ten million support radii wide; "
-        "use a larger fluid.spacing or a smaller domain");
-  GridMap map;
-  map.origin = {min.x - 2 * cell, min.y - 2 * cell, min.z - 2 * cell};
-  map.inverse_cell = 1 / cell;
-  map.nx = static_cast<std::int64_t>(nx);
-  map.ny = static_cast<std::int64_t>(ny);
-  map.nz = static_cast<std::int64_t>(nz);
-  return map;
-}
 
 void CellGrid::sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count) {
   order_.resize(count);
@@ -142,42 +123,9 @@ void CellGrid::forget_order() {
   scratch_ = {};
 }
 
-std::size_t CellGrid::first_cell_from(std::uint64_t key) const {
-  return static_cast<std::size_t>(std::lower_bound(cell_keys_.begin(), cell_keys_.end(), key) -
-                                  cell_keys_.begin());
-}
-
 std::size_t CellGrid::memory_bytes() const {
   return cell_keys_.capacity() * 8 +
          (order_.capacity() + scratch_.capacity() + cell_begin_.capacity()) * 4;
 }
 
-const std::array<RowCursors::Cells, 9>& RowCursors::cells_around(std::uint64_t key) {
-  const std::size_t n = grid_.cell_count();
-  std::size_t row = 0;
-  for (std::int64_t dz = -1; dz <= 1; ++dz) {
-    for (std::int64_t dy = -1; dy <= 1; ++dy, ++row) {
-      auto& [low, first, last] = cells_[row];
-      low = static_cast<std::uint64_t>(static_cast<std::int64_t>(key) +
-                                       map_.nx * (dy + map_.ny * dz) - 1);
-      if (!started_)
-        first = last = grid_.first_cell_from(low);
-      while (first < n && grid_.cell_key(first) < low)
-        ++first;
-      last = std::max(first, last);
-      while (last < n && grid_.cell_key(last) <= low + 2)
-        ++last;
-    }
-  }
-  started_ = true;
-  return cells_;
-}
-
-const std::array<RowCursors::Run, 9>& RowCursors::around(std::uint64_t key) {
-  cells_around(key);
-  for (std::size_t row = 0; row < runs_.size(); ++row)
-    runs_[row] = {grid_.cell_begin(cells_[row].first), grid_.cell_begin(cells_[row].last)};
-  return runs_;
-}
-
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline openmp

@@ -4,52 +4,76 @@
 // occupied. So the first one's index is kept for each of the nine rows, and a bit for each cell.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "sim/openmp/cell_grid.hpp"
 #include "sim/real.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline openmp {
 
-class CellNeighbours {
- public:
+struct CellNeighbourView {
+  const std::uint32_t* first = nullptr;     ///< nine per cell: of the row's first occupied cell
+  const std::uint32_t* occupied = nullptr;  ///< a bit for each slot
   static constexpr int slots = 27;  ///< cells around a cell, x fastest; itself in the middle
   static constexpr int self = 13;
-
-  void build(const GridMap& map, const CellGrid& grid);
+  static constexpr int rows = 9;
 
   /// Index of the cell in a slot; −1: it is not occupied.
   std::int32_t at(std::uint32_t cell, int slot) const {
-    const std::uint32_t row = occupied_[cell] >> (slot / 3 * 3) & 7u, place = slot % 3;
+    const std::uint32_t row = occupied[cell] >> (slot / 3 * 3) & 7u, place = slot % 3;
     if ((row >> place & 1) == 0)
       return -1;
     const std::uint32_t before =
         place == 0 ? 0 : (place == 1 ? row & 1 : (row & 1) + (row >> 1 & 1));
-    return static_cast<std::int32_t>(first_[first_place(cell, slot / 3)] + before);
+    return static_cast<std::int32_t>(first[row_place(cell, slot / 3)] + before);
   }
 
   /// Of eight cells, from `cell` on, a multiple of eight: the indices of the cells x−1, x, x+1 in a
   /// row. Where one is not occupied it is any index up to one beyond the last cell.
   std::array<IndexLanes, 3> row(std::uint32_t cell, int row) const {
-    IndexLanes first, bits;
-    __builtin_memcpy(&first, &first_[first_place(cell, row)], sizeof first);
-    __builtin_memcpy(&bits, &occupied_[cell], sizeof bits);
-    const IndexLanes second = first + (bits >> (3 * row) & 1);
-    return {first, second, second + (bits >> (3 * row + 1) & 1)};
+    IndexLanes begin, bits;
+    __builtin_memcpy(&begin, &first[row_place(cell, row)], sizeof begin);
+    __builtin_memcpy(&bits, &occupied[cell], sizeof bits);
+    const IndexLanes second = begin + (bits >> (3 * row) & 1);
+    return {begin, second, second + (bits >> (3 * row + 1) & 1)};
   }
 
+  /// A cell's own weight times its value, less those of the cells around it; of eight cells at
+  /// once, those from each that is a multiple of eight on.
+  void apply(std::uint32_t cell, const float* weights, const float* values, float* image) const {
+    if (cell % lane_count != 0)
+      return;
+    const float* w = &weights[place(cell, 0)];
+    const auto weight = [&](int slot) { return consecutive(w + slot * lane_count); };
+    Lanes sum = weight(self) * consecutive(values + cell);
+    for (int r = 0; r < rows; ++r) {
+      const auto other = row(cell, r);
+      for (int k = 0; k < 3; ++k)
+        if (3 * r + k != self)
+          sum -= weight(3 * r + k) * load(values, other[static_cast<std::size_t>(k)]);
+    }
+    __builtin_memcpy(image + cell, &sum, sizeof sum);
+  }
+
+  /// Where a number of each cell and slot stands: eight cells' beside each other.
+  static std::size_t place(std::uint32_t cell, int slot) {
+    return (std::size_t{cell / lane_count} * slots + slot) * lane_count + cell % lane_count;
+  }
+  static std::size_t row_place(std::uint32_t cell, int row) {
+    return (std::size_t{cell / lane_count} * rows + row) * lane_count + cell % lane_count;
+  }
+};
+
+class CellNeighbours {
+ public:
+  void build(const GridMap& map, const CellGridView& grid);
+  CellNeighbourView view() const { return {first_.data(), occupied_.data()}; }
   std::size_t memory_bytes() const { return (first_.capacity() + occupied_.capacity()) * 4; }
 
  private:
-  static constexpr int rows = 9;
-  /// Eight cells' numbers stand beside each other.
-  static std::size_t first_place(std::uint32_t cell, int row) {
-    return (std::size_t{cell / lane_count} * rows + row) * lane_count + cell % lane_count;
-  }
-
-  std::vector<std::uint32_t> first_;     ///< nine per cell: of the row's first occupied cell
-  std::vector<std::uint32_t> occupied_;  ///< a bit for each slot
+  std::vector<std::uint32_t> first_, occupied_;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline openmp

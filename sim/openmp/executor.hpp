@@ -6,63 +6,15 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
-namespace spindrift::sim {
+#include "sim/openmp/arrays.hpp"
+#include "sim/phase_clock.hpp"
+#include "sim/reductions.hpp"
 
-/// Adds up the wall time of a phase under its name.
-class PhaseClock {
- public:
-  struct Entry {
-    std::string_view name;
-    double seconds = 0;
-    std::int64_t calls = 0;
-  };
-  class Scope {
-   public:
-    Scope(PhaseClock& clock, std::string_view name)
-        : clock_(clock), name_(name), start_(std::chrono::steady_clock::now()) {}
-    ~Scope() {
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-      clock_.add(name_, spent.count());
-    }
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-
-   private:
-    PhaseClock& clock_;
-    std::string_view name_;
-    std::chrono::steady_clock::time_point start_;
-  };
-
-  void add(std::string_view name, double seconds) {
-    auto entry = std::find_if(entries_.begin(), entries_.end(),
-                              [&](const Entry& e) { return e.name == name; });
-    if (entry == entries_.end())
-      entry = entries_.insert(entries_.end(), Entry{name});
-    entry->seconds += seconds;
-    ++entry->calls;
-  }
-  const std::vector<Entry>& entries() const { return entries_; }
-
- private:
-  std::vector<Entry> entries_;
-};
-
-/// A sum to reduce to, in double precision.
-struct Sum {
-  double value = 0;
-  void join(const Sum& other) { value += other.value; }
-};
-
-/// The largest of values that are not negative.
-struct Largest {
-  float value = 0;
-  void join(const Largest& other) { value = std::max(value, other.value); }
-};
+namespace spindrift::sim::inline openmp {
 
 class Executor {
  public:
@@ -81,6 +33,12 @@ class Executor {
       for (Index i = begin; i < end; ++i)
         f(i);
     }
+  }
+
+  /// The same for what runs on the processor only, whatever the backend.
+  template <class F>
+  void for_each_on_host(std::string_view name, Index n, F f) {
+    for_each(name, n, f);
   }
 
   /// Like for_each, and joins what f returns: block by block in order, so that the result of a
@@ -105,6 +63,36 @@ class Executor {
     return total;
   }
 
+  template <class T, class F>
+  T reduce_on_host(std::string_view name, Index n, F f) {
+    return reduce<T>(name, n, f);
+  }
+
+  /// The i in [0, n) for which f(i) holds, in order.
+  template <class F>
+  void select(std::string_view name, Index n, Array<Index>& chosen, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    chosen.clear();
+    for (Index i = 0; i < n; ++i)
+      if (f(i))
+        chosen.push_back(i);
+  }
+
+  /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
+  template <class Place, class Value>
+  void add_at_places(std::string_view name, Index n, float* sums, Index, Place place, Value value) {
+    const PhaseClock::Scope timed(clock_, name);
+    for (Index k = 0; k < n; ++k)
+      sums[place(k)] += value(k);
+  }
+
+  /// Until particles may be looked at outside of loops.
+  void wait() const {}
+
+  std::size_t memory_bytes() const {
+    return 0;
+  }
+
   PhaseClock& clock() {
     return clock_;
   }
@@ -119,4 +107,4 @@ class Executor {
   PhaseClock clock_;
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline openmp

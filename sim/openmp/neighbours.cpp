@@ -5,7 +5,7 @@
 #include <bit>
 #include <stdexcept>
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline openmp {
 namespace {
 
 constexpr std::size_t cells_per_block = 64;
@@ -144,9 +144,9 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Vec3A
     Writer writer(*this);
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t b = 0; b < blocks; ++b) {
-      RowCursors cursors(map, other_grid);
+      RowCursors cursors(map, other_grid.view());
       const std::size_t last_cell = std::min(cells, (b + 1) * cells_per_block);
-      for (std::size_t c = b * cells_per_block; c < last_cell; ++c) {
+      for (auto c = static_cast<std::uint32_t>(b * cells_per_block); c < last_cell; ++c) {
         const auto& runs = cursors.around(grid.cell_key(c));
         std::size_t candidates = 0;
         for (const auto& run : runs)
@@ -174,4 +174,4 @@ std::size_t NeighbourLists::memory_bytes() const {
   return numbers * sizeof(std::uint32_t) + (table_.capacity() + chunks_.capacity()) * sizeof(void*);
 }
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline openmp

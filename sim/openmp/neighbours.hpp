@@ -11,7 +11,7 @@
 #include "sim/openmp/cell_grid.hpp"
 #include "sim/real.hpp"
 
-namespace spindrift::sim {
+namespace spindrift::sim::inline openmp {
 
 /// Where the sentinel lies, m: outside every support radius, its square still finite in single
 /// precision.
@@ -34,6 +34,14 @@ struct NeighbourView {
   /// begins.
   bool alone(std::uint32_t i, std::uint32_t count) const { return list(i)[2] == count; }
 
+  /// f(j) for the neighbours j of particle i, and perhaps for the sentinel.
+  template <class F>
+  void for_each(std::uint32_t i, F f) const {
+    const std::uint32_t* j = list(i);
+    for (std::uint32_t left = *j++ * lane_count; left > 0; --left, ++j)
+      f(*j);
+  }
+
   /// Σⱼ f(j) over the neighbours j of particle i; f takes eight indices and returns Lanes or
   /// Vec3<Lanes>.
   template <class F>
@@ -48,6 +56,35 @@ struct NeighbourView {
     return reduce(total);
   }
 };
+
+/// Adds up over points that follow each other.
+class RunSum {
+ public:
+  /// Σⱼ f(j) for j in [begin, end). f takes eight of them, which may go on beyond the end.
+  template <class F>
+  void add(std::uint32_t begin, std::uint32_t end, F f) {
+    constexpr IndexLanes lane{0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::uint32_t j = begin; j < end; j += lane_count) {
+      const Lanes value = f(LaneRun{j});
+      const Lanes zero{};
+      total_ += lane < static_cast<std::int32_t>(end - j) ? value : zero;
+    }
+  }
+  float value() const { return reduce(total_); }
+
+ private:
+  Lanes total_{};
+};
+
+/// use(j, value_at(j)) for j in [begin, end); eight values are found at once.
+template <class Value, class F>
+void for_run(std::uint32_t begin, std::uint32_t end, Value value_at, F use) {
+  for (std::uint32_t j = begin; j < end; j += lane_count) {
+    const Lanes values = value_at(LaneRun{j});
+    for (std::uint32_t k = 0; k < lane_count && j + k < end; ++k)
+      use(j + k, values[k]);
+  }
+}
 
 class NeighbourLists {
  public:
@@ -74,4 +111,4 @@ class NeighbourLists {
   std::size_t taken_ = 0;                          ///< of `chunks_`
 };
 
-}  // namespace spindrift::sim
+}  // namespace spindrift::sim::inline openmp

@@ -91,6 +91,10 @@ case $part in
     __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null \
       expect 3 "libgl1-mesa-dri" render scenes/dam_break.json --frames 0:0 -o "$folder/no_egl"
     __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 "none: no EGL device" info
+    expect 2 "--backend: gpu not in {auto,cpu,cuda}" render scenes/dam_break.json --backend gpu
+    if "$program" info | grep -q 'cuda .*no '; then
+      expect 2 'solver.backend is "cuda", but' render scenes/dam_break.json --backend cuda -o "$folder/no_cuda"
+    fi
     expect 2 "--set fluid.spacing=wide" check scenes/dam_break.json --set fluid.spacing=wide
     ;;
   probes)
@@ -143,6 +147,7 @@ case $part in
     ;;
   info)
     expect 0 "processor" info
+    expect 0 "cuda" info
     expect 0 '"renderer"' info --json
     unset OMP_WAIT_POLICY GOMP_SPINCOUNT
     # Threads wait shortly, so that a core held by another program delays little; the user may say otherwise.

@@ -77,13 +77,12 @@ class InvariantsWatch {
       return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     };
     const std::vector<sim::PosedBody> bodies = sim::posed_bodies(settings_, frame.time, frame.time);
+    const std::vector<sim::Solid> solids = sim::solids_of(fixed_.obstacles);
     const sim::ContactView contact{
         {settings_.domain.min.x, settings_.domain.min.y, settings_.domain.min.z},
         {settings_.domain.max.x, settings_.domain.max.y, settings_.domain.max.z},
-        fixed_.obstacles.data(),
-        fixed_.obstacles.size(),
-        sim::OpenFaces(settings_.domain),
-        bodies};
+        {solids.data(), static_cast<std::uint32_t>(solids.size()), bodies},
+        sim::OpenFaces(settings_.domain)};
     const std::size_t n = frame.positions.size();
     std::vector<bool> seen(n, false);
     for (std::size_t i = 0; i < n; ++i) {

@@ -96,7 +96,8 @@ TEST_CASE("contact leaves points in the open alone and takes others to the neare
                                         {Sphere{{4, 1, 1}, 0.5f}},
                                         {Cylinder{{6, 0, 1}, {6, 2, 1}, 0.5f}},
                                         {Capsule{{7, 1, 1}, {7, 2, 1}, 0.5f}}};
-  const ContactView contact{{0, 0, 0}, {8, 4, 3}, obstacles.data(), obstacles.size()};
+  const std::vector<Solid> solids = solids_of(obstacles);
+  const ContactView contact{{0, 0, 0}, {8, 4, 3}, {solids.data(), 4}};
   const auto at = [&](float x, float y, float z) {
     const Vec3<float> p = contact.resolve({x, y, z});
     return glm::vec3(p.x, p.y, p.z);

@@ -6,8 +6,6 @@
 #include <random>
 #include <vector>
 
-#include "sim/openmp/cell_neighbours.hpp"
-#include "sim/openmp/neighbours.hpp"
 #include "sim/particles.hpp"
 
 using namespace spindrift::sim;
@@ -52,9 +50,12 @@ Searched search(const Points& points, const Points& others, float radius, Points
   lists.build(map, grid, field.view(), n, other_grid, other_field.view(), m, radius);
   const NeighbourView view = lists.view();
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t* first = view.list(i) + 1;
-    std::vector<std::uint32_t> list(first, first + *view.list(i) * lane_count);
-    std::erase(list, m);
+    std::vector<std::uint32_t> list;
+    view.for_each(i, [&](std::uint32_t j) {
+      if (j != m)
+        list.push_back(j);
+    });
+    REQUIRE(view.empty(i) == list.empty());
     result.lists.push_back(list);
   }
   return result;
@@ -103,7 +104,7 @@ TEST_CASE("a crowd in one cell loses no neighbour") {
 }
 
 TEST_CASE("a list may be longer than the pieces of memory that lists are kept in") {
-  const Points crowd = random_points(static_cast<int>(2 * NeighbourView::chunk_size), 0.01f, 8);
+  const Points crowd = random_points(2 << 16, 0.01f, 8);
   check_against_brute_force({{0, 0, 0}, {0.001f, 0, 0}, {0.5f, 0, 0}}, crowd, 0.1f);
 }
 
@@ -141,26 +142,66 @@ TEST_CASE("cells around a cell are those whose keys say so") {
   CellGrid grid;
   grid.sort(map, field.view(), n);
   CellNeighbours neighbours;
-  neighbours.build(map, grid);
+  neighbours.build(map, grid.view());
+  const CellNeighbourView view = neighbours.view();
+  const CellGridView cells = grid.view();
   int occupied = 0, empty = 0;
   for (std::uint32_t c = 0; c < grid.cell_count(); ++c)
-    for (int slot = 0; slot < CellNeighbours::slots; ++slot) {
+    for (int slot = 0; slot < CellNeighbourView::slots; ++slot) {
       const std::int64_t dx = slot % 3 - 1, dy = slot / 3 % 3 - 1, dz = slot / 9 - 1;
-      const auto key = static_cast<std::uint64_t>(static_cast<std::int64_t>(grid.cell_key(c)) + dx +
-                                                  map.nx * (dy + map.ny * dz));
+      const auto key = static_cast<std::uint64_t>(static_cast<std::int64_t>(cells.cell_key(c)) +
+                                                  dx + map.nx * (dy + map.ny * dz));
       std::int32_t expected = -1;
       for (std::uint32_t other = 0; other < grid.cell_count(); ++other)
-        if (grid.cell_key(other) == key)
+        if (cells.cell_key(other) == key)
           expected = static_cast<std::int32_t>(other);
       ++(expected < 0 ? empty : occupied);
-      REQUIRE(neighbours.at(c, slot) == expected);
-      const std::uint32_t batch = c / lane_count * lane_count;
-      if (expected >= 0)
-        REQUIRE(neighbours.row(batch, slot / 3)[static_cast<std::size_t>(slot % 3)][c - batch] ==
-                expected);
+      REQUIRE(view.at(c, slot) == expected);
     }
   CHECK(occupied > 1000);
   CHECK(empty > 1000);
+}
+
+TEST_CASE("weights of the cells around a cell are applied as they stand") {
+  const GridMap map = GridMap::over({-1, -1, -1}, {1, 1, 1}, 0.2f);
+  const Points points = random_points(300, 0.9f, 9);
+  VectorField field;
+  field.resize(300);
+  for (std::uint32_t i = 0; i < 300; ++i)
+    field.view().set(i, points[i]);
+  CellGrid grid;
+  grid.sort(map, field.view(), 300);
+  CellNeighbours neighbours;
+  neighbours.build(map, grid.view());
+  const CellNeighbourView view = neighbours.view();
+  const std::uint32_t cells = grid.cell_count();
+  ScalarField weights, values, image;
+  weights.resize(static_cast<std::uint32_t>(CellNeighbourView::place(cells + lane_count, 0)));
+  values.resize(cells);
+  image.resize(cells);
+  std::mt19937 random(10);
+  std::uniform_int_distribution<int> number(-9, 9);  // sums are exact, whatever their order
+  for (std::uint32_t c = 0; c < cells; ++c) {
+    values[c] = static_cast<float>(number(random));
+    for (int slot = 0; slot < CellNeighbourView::slots; ++slot)
+      if (view.at(c, slot) >= 0)
+        weights[static_cast<std::uint32_t>(CellNeighbourView::place(c, slot))] =
+            static_cast<float>(number(random));
+  }
+  const float *w = weights.data(), *u = values.data();
+  float* result = image.data();
+  Executor executor;
+  executor.for_each("apply", cells,
+                    [=] SPINDRIFT_HD(std::uint32_t c) { view.apply(c, w, u, result); });
+  executor.wait();
+  for (std::uint32_t c = 0; c < cells; ++c) {
+    float expected = 0;
+    for (int slot = 0; slot < CellNeighbourView::slots; ++slot)
+      if (const std::int32_t other = view.at(c, slot); other >= 0)
+        expected += (slot == CellNeighbourView::self ? 1.f : -1.f) *
+                    w[CellNeighbourView::place(c, slot)] * u[other];
+    REQUIRE(image[c] == expected);
+  }
 }
 
 TEST_CASE("a domain with too many cells for a key is refused") {

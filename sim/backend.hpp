@@ -1,0 +1,25 @@
+// What the solvers are written against: arrays, loops, cells and neighbour lists of one backend.
+//
+// Sources that work on particles stand once and are compiled once per backend, each time in an
+// inline namespace of its own, so that both can be in one program:
+//   namespace spindrift::sim::inline SPINDRIFT_BACKEND { … }
+// The backends differ in nothing but the folder that is included here.
+#pragma once
+
+#ifdef SPINDRIFT_DEVICE
+#define SPINDRIFT_BACKEND device
+#include "sim/device/arrays.hpp"
+#include "sim/device/cell_grid.hpp"
+#include "sim/device/cell_neighbours.hpp"
+#include "sim/device/executor.hpp"
+#include "sim/device/neighbours.hpp"
+#include "sim/device/obstacles.hpp"
+#else
+#define SPINDRIFT_BACKEND openmp
+#include "sim/openmp/arrays.hpp"
+#include "sim/openmp/cell_grid.hpp"
+#include "sim/openmp/cell_neighbours.hpp"
+#include "sim/openmp/executor.hpp"
+#include "sim/openmp/neighbours.hpp"
+#include "sim/openmp/obstacles.hpp"
+#endif

@@ -1,0 +1,61 @@
+#include "sim/backend_choice.hpp"
+
+#include <stdexcept>
+
+#ifdef SPINDRIFT_CUDA
+#include "sim/device/device_engine.hpp"
+#endif
+
+namespace spindrift::sim {
+
+std::string cuda_device() {
+#ifdef SPINDRIFT_CUDA
+  try {
+    return device_name();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+#else
+  return "this program has no CUDA backend: " SPINDRIFT_CUDA_MISSING;
+#endif
+}
+
+namespace {
+
+/// Why the CUDA backend cannot run these settings here, in words; empty: it can.
+std::string why_not_cuda([[maybe_unused]] const Settings& settings) {
+#ifdef SPINDRIFT_CUDA
+  try {
+    device_name();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return missing_on_device(settings);
+#else
+  return cuda_device();
+#endif
+}
+
+}  // namespace
+
+std::string why_refused(const Settings& settings) {
+  if (settings.solver.backend != Backend::cuda)
+    return {};
+  const std::string why_not = why_not_cuda(settings);
+  return why_not.empty()
+             ? why_not
+             : "solver.backend is \"cuda\", but " + why_not + "; ask for \"cpu\" or \"auto\"";
+}
+
+BackendChoice choose_backend(const Settings& settings) {
+  if (settings.solver.backend == Backend::cpu)
+    return {Backend::cpu, "it was asked for"};
+  if (settings.solver.backend == Backend::cuda)
+    return {Backend::cuda, "it was asked for; " + cuda_device()};
+  const std::string why_not = why_not_cuda(settings);
+  if (!why_not.empty())
+    return {Backend::cpu, why_not};
+  return {Backend::cuda, cuda_device()};
+}
+
+}  // namespace spindrift::sim

@@ -1,0 +1,120 @@
+// Runs the per-particle formulas on the device. Loops begin one after the other, and the processor
+// does not wait for them; it waits where a reduction brings a result.
+#pragma once
+
+#include <string_view>
+
+#include "sim/device/arrays.hpp"
+#include "sim/device/thrust.hpp"
+#include "sim/phase_clock.hpp"
+#include "sim/reductions.hpp"
+
+namespace spindrift::sim::inline device {
+
+template <class T>
+struct Join {
+  SPINDRIFT_HD T operator()(T a, const T& b) const {
+    a.join(b);
+    return a;
+  }
+};
+
+class Executor {
+ public:
+  using Index = std::uint32_t;
+
+  /// f(i) for i in [0, n). `name` is the phase in the profile, a string literal; a phase's time is
+  /// that until the processor goes on.
+  template <class F>
+  void for_each(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    if (n > 0)
+      launch(n, f);
+  }
+
+  /// The same on the processor, one after the other, for what the device cannot do.
+  template <class F>
+  void for_each_on_host(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    wait();
+    for (Index i = 0; i < n; ++i)
+      f(i);
+  }
+
+  template <class T, class F>
+  T reduce_on_host(std::string_view name, Index n, F f) {
+    T total;
+    for_each_on_host(name, n, [&](Index i) { total.join(f(i)); });
+    return total;
+  }
+
+  /// Like for_each, and joins what f returns, in an order that depends on n and the kind of device
+  /// only. T needs `void join(const T&)`.
+  template <class T, class F>
+  T reduce(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    if (n == 0)
+      return {};
+    return thrust::transform_reduce(thrust::device(scratch_), Counting(0), Counting(n), f, T{},
+                                    Join<T>{});
+  }
+
+  /// The i in [0, n) for which f(i) holds, in order.
+  template <class F>
+  void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    chosen.renew(n);
+    const auto* end =
+        thrust::copy_if(thrust::device(scratch_), Counting(0), Counting(n), chosen.data(), f);
+    chosen.renew(static_cast<std::size_t>(end - chosen.data()));
+  }
+
+  /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
+  template <class Place, class Value>
+  void add_at_places(std::string_view name, Index n, float* sums, Index place_count, Place place,
+                     Value value);
+
+  /// Until the processor may look at the particles.
+  void wait() const { device::wait(); }
+
+  PhaseClock& clock() { return clock_; }
+  const PhaseClock& clock() const { return clock_; }
+  std::size_t memory_bytes() const {
+    return scratch_.memory_bytes() + 4 * (places_.capacity() + other_places_.capacity() +
+                                          terms_.capacity() + other_terms_.capacity());
+  }
+
+ private:
+  PhaseClock clock_;
+  Scratch scratch_;
+  Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
+};
+
+/// Terms are sorted by their places, and the thread of each place's first term adds them up.
+template <class Place, class Value>
+void Executor::add_at_places(std::string_view name, Index n, float* sums, Index place_count,
+                             Place place, Value value) {
+  const PhaseClock::Scope timed(clock_, name);
+  if (n == 0)
+    return;
+  for (Array<std::uint32_t>* array : {&places_, &other_places_, &terms_, &other_terms_})
+    array->renew(n);
+  std::uint32_t *places = places_.data(), *other_places = other_places_.data(),
+                *terms = terms_.data(), *other_terms = other_terms_.data();
+  launch(n, [=] SPINDRIFT_HD(Index k) {
+    places[k] = place(k);
+    terms[k] = k;
+  });
+  sort_pairs(scratch_, n, bits_below(place_count), places, other_places, terms, other_terms);
+  launch(n, [=] SPINDRIFT_HD(Index k) {
+    const Index at = places[k];
+    if (k > 0 && places[k - 1] == at)
+      return;
+    float sum = sums[at];
+    for (Index t = k; t < n && places[t] == at; ++t)
+      sum += value(terms[t]);
+    sums[at] = sum;
+  });
+}
+
+}  // namespace spindrift::sim::inline device

@@ -1,0 +1,125 @@
+#include "sim/device/memory.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#ifdef __CUDACC__
+#include <cuda_runtime.h>
+#endif
+
+namespace spindrift::sim::inline device {
+namespace {
+
+[[noreturn]] void too_little(std::size_t bytes, std::size_t free) {
+  const auto megabytes = [](std::size_t n) { return std::to_string((n + 999'999) / 1'000'000); };
+  throw std::runtime_error("the device has too little memory: " + megabytes(bytes) +
+                           " MB more are needed, " + megabytes(free) +
+                           " MB are free; use a larger fluid.spacing, or the backend \"cpu\"");
+}
+
+#ifdef __CUDACC__
+void check(cudaError_t error) {
+  if (error != cudaSuccess)
+    throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(error));
+}
+#endif
+
+}  // namespace
+
+#ifdef __CUDACC__
+
+/// Managed memory could be larger than the device's, and would then be moved to and fro in each
+/// step; so what does not fit is an error.
+void* allocate(std::size_t bytes) {
+  std::size_t free = 0, all = 0;
+  check(cudaMemGetInfo(&free, &all));
+  if (bytes > free)
+    too_little(bytes, free);
+  void* memory = nullptr;
+  const cudaError_t error = cudaMallocManaged(&memory, std::max<std::size_t>(bytes, 1));
+  if (error == cudaErrorMemoryAllocation)
+    too_little(bytes, free);
+  check(error);
+  return memory;
+}
+
+void release(void* memory) noexcept {
+  cudaFree(memory);
+}
+
+void wait() {
+  check(cudaDeviceSynchronize());
+}
+
+void copy_out(void* to, const void* from, std::size_t bytes) {
+  check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost));
+}
+
+#else
+
+namespace {
+constexpr std::align_val_t alignment{256};
+}
+
+void* allocate(std::size_t bytes) {
+  try {
+    return ::operator new(bytes, alignment);
+  } catch (const std::bad_alloc&) {
+    too_little(bytes, 0);
+  }
+}
+
+void release(void* memory) noexcept {
+  ::operator delete(memory, alignment);
+}
+
+void wait() {}
+
+void copy_out(void* to, const void* from, std::size_t bytes) {
+  std::memcpy(to, from, bytes);
+}
+
+#endif
+
+Scratch::~Scratch() {
+  for (const Block& block : blocks_)
+    release(block.memory);
+}
+
+char* Scratch::allocate(std::ptrdiff_t bytes) {
+  const auto size = static_cast<std::size_t>(bytes);
+  Block* best = nullptr;
+  for (Block& block : blocks_)
+    if (!block.taken && block.bytes >= size && (best == nullptr || block.bytes < best->bytes))
+      best = &block;
+  if (best == nullptr) {
+    // Those that are too small would never be taken again.
+    std::erase_if(blocks_, [](const Block& block) {
+      if (!block.taken)
+        release(block.memory);
+      return !block.taken;
+    });
+    const std::size_t room = size + size / 8;
+    best = &blocks_.emplace_back(Block{static_cast<char*>(device::allocate(room)), room, false});
+  }
+  best->taken = true;
+  return best->memory;
+}
+
+void Scratch::deallocate(char* memory, std::size_t) noexcept {
+  for (Block& block : blocks_)
+    if (block.memory == memory)
+      block.taken = false;
+}
+
+std::size_t Scratch::memory_bytes() const {
+  std::size_t sum = 0;
+  for (const Block& block : blocks_)
+    sum += block.bytes;
+  return sum;
+}
+
+}  // namespace spindrift::sim::inline device

@@ -1,0 +1,9 @@
+// Marks functions and lambdas that run wherever the particles are: on the processor, or, where a
+// CUDA compiler reads them, on both sides.
+#pragma once
+
+#ifdef __CUDACC__
+#define SPINDRIFT_HD __host__ __device__
+#else
+#define SPINDRIFT_HD
+#endif

@@ -1,0 +1,22 @@
+// What loops over particles reduce to.
+#pragma once
+
+#include <algorithm>
+
+#include "sim/host_device.hpp"
+
+namespace spindrift::sim {
+
+/// A sum to reduce to, in double precision.
+struct Sum {
+  double value = 0;
+  SPINDRIFT_HD void join(const Sum& other) { value += other.value; }
+};
+
+/// The largest of values that are not negative.
+struct Largest {
+  float value = 0;
+  SPINDRIFT_HD void join(const Largest& other) { value = std::max(value, other.value); }
+};
+
+}  // namespace spindrift::sim

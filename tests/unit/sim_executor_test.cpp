@@ -1,0 +1,108 @@
+// The loops that solvers are written with, against plain ones.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "sim/particles.hpp"
+
+using namespace spindrift::sim;
+
+namespace {
+
+constexpr std::uint32_t count = 10000;
+
+/// A number that looks like a random one, from 0 to below `end`.
+SPINDRIFT_HD std::uint32_t scattered(std::uint32_t i, std::uint32_t end) {
+  std::uint32_t x = (i + 1) * 2654435761u;
+  x ^= x >> 15;
+  x *= 2246822519u;
+  return (x ^ x >> 13) % end;
+}
+
+/// What stands together is reduced together.
+struct SumAndLargest {
+  double sum = 0;
+  float largest = 0;
+  SPINDRIFT_HD void join(const SumAndLargest& other) {
+    sum += other.sum;
+    largest = largest < other.largest ? other.largest : largest;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a loop reaches every index once") {
+  Executor executor;
+  ScalarField field;
+  field.resize(count);
+  float* values = field.data();
+  for (int round = 0; round < 2; ++round)
+    executor.for_each("count", count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      values[i] += static_cast<float>(i % 7 + 1);
+    });
+  executor.for_each("nothing", 0, [=] SPINDRIFT_HD(std::uint32_t i) { values[i] = -1; });
+  executor.wait();
+  for (std::uint32_t i = 0; i < count; ++i)
+    REQUIRE(field[i] == static_cast<float>(2 * (i % 7 + 1)));
+  CHECK(field[count] == 0);
+}
+
+TEST_CASE("a reduction joins what the loop returns, all of it") {
+  Executor executor;
+  double sum = 0;
+  float largest = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto value = static_cast<float>(scattered(i, 1000));
+    sum += double{value};
+    largest = std::max(largest, value);
+  }
+  const auto found =
+      executor.reduce<SumAndLargest>("reduce", count, [=] SPINDRIFT_HD(std::uint32_t i) {
+        const auto value = static_cast<float>(scattered(i, 1000));
+        return SumAndLargest{double{value}, value};
+      });
+  CHECK(found.sum == sum);
+  CHECK(found.largest == largest);
+  const auto none =
+      executor.reduce<Sum>("reduce", 0, [=] SPINDRIFT_HD(std::uint32_t) { return Sum{1.}; });
+  CHECK(none.value == 0);
+}
+
+TEST_CASE("a selection holds the chosen indices in order") {
+  Executor executor;
+  Array<std::uint32_t> chosen;
+  for (const std::uint32_t divisor : {3u, 1u, 20000u}) {
+    executor.select("select", count, chosen, [=] SPINDRIFT_HD(std::uint32_t i) {
+      return scattered(i, 20000) % divisor == 0;
+    });
+    executor.wait();
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (scattered(i, 20000) % divisor == 0)
+        expected.push_back(i);
+    CHECK(std::vector<std::uint32_t>(chosen.begin(), chosen.end()) == expected);
+  }
+}
+
+TEST_CASE("terms are added at their places in their order") {
+  Executor executor;
+  constexpr std::uint32_t places = 300;
+  ScalarField field;
+  field.resize(places);
+  std::vector<float> expected(places);
+  for (std::uint32_t p = 0; p < places; ++p)
+    expected[p] = field[p] = 0.1f * static_cast<float>(p);
+  // Sums of such numbers depend on the order.
+  const auto term = [=] SPINDRIFT_HD(std::uint32_t k) {
+    return 1.f / static_cast<float>(scattered(k, 999) + 1);
+  };
+  for (std::uint32_t k = 0; k < count; ++k)
+    expected[scattered(k, places / 2)] += term(k);
+  executor.add_at_places(
+      "add", count, field.data(), places,
+      [=] SPINDRIFT_HD(std::uint32_t k) { return scattered(k, places / 2); }, term);
+  executor.wait();
+  for (std::uint32_t p = 0; p < places; ++p)
+    REQUIRE(field[p] == expected[p]);
+}
