@@ -167,7 +167,7 @@ enum class PressureKernel { cubic, spiky };
 
 struct SolverSettings {
   SolverType type = SolverType::pcisph;
-  Backend backend = Backend::automatic;  ///< what computes; automatic: CUDA where that can
+  Backend backend = Backend::cpu;  ///< what computes; automatic: CUDA where that can
   PressureKernel pressure_kernel = PressureKernel::cubic;
   float max_compression =
       0.025f;  ///< PCISPH: largest ρ/ρ₀ − 1 left over by any step; (1e-4 ... 0.5)
