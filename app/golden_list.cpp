@@ -6,6 +6,7 @@
 
 #include "app/scene_document.hpp"
 #include "app/scene_reader.hpp"
+#include "sim/backend_choice.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -58,6 +59,9 @@ class Completion {
     } catch (const SceneError& error) {
       fail("scene", error.what());
     }
+    if (const std::string refused = sim::why_refused(golden_->resolved.simulation);
+        !refused.empty())
+      fail("scene", refused);
   }
 
   void check_frames() const {

@@ -49,9 +49,9 @@ std::string why_refused(const Settings& settings) {
 
 BackendChoice choose_backend(const Settings& settings) {
   if (settings.solver.backend == Backend::cpu)
-    return {Backend::cpu, "it was asked for"};
+    return {Backend::cpu, "solver.backend is \"cpu\""};
   if (settings.solver.backend == Backend::cuda)
-    return {Backend::cuda, "it was asked for; " + cuda_device()};
+    return {Backend::cuda, "solver.backend is \"cuda\"; " + cuda_device()};
   const std::string why_not = why_not_cuda(settings);
   if (!why_not.empty())
     return {Backend::cpu, why_not};

@@ -94,6 +94,7 @@ case $part in
     expect 2 "--backend: gpu not in {auto,cpu,cuda}" render scenes/dam_break.json --backend gpu
     if "$program" info | grep -q 'cuda .*no '; then
       expect 2 'solver.backend is "cuda", but' render scenes/dam_break.json --backend cuda -o "$folder/no_cuda"
+      expect 2 'solver.backend is "cuda", but' golden check tests/golden/scenes.json --set solver.backend=cuda
     fi
     expect 2 "--set fluid.spacing=wide" check scenes/dam_break.json --set fluid.spacing=wide
     ;;
