@@ -75,7 +75,7 @@ class SupportLattice {
   std::vector<Point> points_;
 };
 
-void place_sentinel(VectorField& field, std::uint32_t n) {
+void place_sentinel(PointField& field, std::uint32_t n) {
   field.view().set(n, {sentinel_position, sentinel_position, sentinel_position});
 }
 
@@ -140,7 +140,7 @@ Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& u
 Boundary::Sample Boundary::sample(std::uint32_t b) const {
   const glm::vec3 p = position_.at(b);
   return {.position = {p.x, p.y, p.z},
-          .volume = volume_[b],
+          .volume = position_.value(b),
           .solid = solid_[b],
           .wall_viscosity = wall_viscosity_.empty() ? 0 : wall_viscosity_[b],
           .pressure = pressure_[b],
@@ -153,10 +153,11 @@ void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
   count_ = static_cast<std::uint32_t>(samples.size());
   position_.resize(count_);
   velocity_.resize(count_);
-  for (ScalarField* f : {&volume_, &solid_, &pressure_, &step_pressure_, &mean_pressure_,
-                         &compression_, &wall_viscosity_})
+  for (ScalarField* f :
+       {&solid_, &pressure_, &step_pressure_, &mean_pressure_, &compression_, &wall_viscosity_})
     f->resize(count_);
-  const Vec3Arrays x = position_.view(), v = velocity_.view();
+  const PointView x = position_.view();
+  const Vec3Arrays v = velocity_.view();
   for (std::uint32_t i = 0; i < count_; ++i)
     x.set(i, samples[i].position);
   grid_.sort(map, x, count_);
@@ -164,7 +165,7 @@ void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
     const Sample& s = samples[grid_.order()[i]];
     x.set(i, s.position);
     v.set(i, s.velocity);
-    volume_[i] = s.volume;
+    x.value(i) = s.volume;
     solid_[i] = s.solid;
     wall_viscosity_[i] = s.wall_viscosity;
     pressure_[i] = s.pressure;
@@ -195,8 +196,7 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
   const float next_layer = flat_liquid_share(kernel, spacing, radius);
   NeighbourLists lists;
   lists.build(map, grid_, position_.view(), count_, grid_, position_.view(), count_, radius);
-  const Vec3Arrays position = position_.view();
-  volume_.resize(count_);
+  const PointView position = position_.view();
   for (std::uint32_t i = 0; i < count_; ++i) {
     const Vec3<float> xi = position[i];
     const auto sum_at = [&](const Vec3<float>& out) {
@@ -211,20 +211,20 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
     const glm::vec3 n = samples[i].normal;
     switch (samples[i].side) {
       case SurfaceSample::Side::domain:
-        volume_[i] = wall_volume / sum_at({0, 0, 0}) * lists.view().sum(i, [&](auto j) {
+        position.value(i) = wall_volume / sum_at({0, 0, 0}) * lists.view().sum(i, [&](auto j) {
           const auto d = xi - position[j];
           return load(of_domain.data(), j) * kernel.value(square_root(dot(d, d)));
         });
         break;
       case SurfaceSample::Side::around:
-        volume_[i] = layer / sum_at({0, 0, 0});
+        position.value(i) = layer / sum_at({0, 0, 0});
         break;
       case SurfaceSample::Side::one:
-        volume_[i] = next_layer / sum_at({n.x, n.y, n.z});
+        position.value(i) = next_layer / sum_at({n.x, n.y, n.z});
         break;
       case SurfaceSample::Side::both:
-        volume_[i] = single_layer_excess * next_layer /
-                     std::min(sum_at({n.x, n.y, n.z}), sum_at({-n.x, -n.y, -n.z}));
+        position.value(i) = single_layer_excess * next_layer /
+                            std::min(sum_at({n.x, n.y, n.z}), sum_at({-n.x, -n.y, -n.z}));
     }
   }
 }
@@ -247,7 +247,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
                                       [&](const Solid& solid) { return contains(solid, p); });
   };
   solid_.resize(count_);
-  const Vec3Arrays position = position_.view();
+  const PointView position = position_.view();
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::uint32_t i = 0; i < count_; ++i) {
     const Vec3<float> xi = position[i];
@@ -275,7 +275,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
 }
 
 std::size_t Boundary::memory_bytes() const {
-  return position_.memory_bytes() + 6 * volume_.memory_bytes() + grid_.memory_bytes() +
+  return position_.memory_bytes() + 5 * solid_.memory_bytes() + grid_.memory_bytes() +
          wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
 }
 

@@ -36,13 +36,14 @@ class Boundary {
   /// the one that was given as grid().order()[k].
   void replace(const std::vector<Sample>& samples, const GridMap& map);
 
-  void scale_volume(std::uint32_t b, float factor) { volume_[b] *= factor; }
+  void scale_volume(std::uint32_t b, float factor) { position_.value(b) *= factor; }
 
   std::uint32_t count() const { return count_; }
   const CellGrid& grid() const { return grid_; }
-  Vec3Arrays positions() { return position_.view(); }
+  /// With the volumes, m³.
+  PointView positions() { return position_.view(); }
   glm::vec3 position(std::uint32_t b) const { return position_.at(b); }  ///< m
-  const float* volumes() { return volume_.data(); }
+  float volume(std::uint32_t b) const { return position_.value(b); }     ///< m³
   const float* solids() { return solid_.data(); }
   /// Pa·s; null where all have the fluid's.
   const float* wall_viscosities() const {
@@ -57,7 +58,7 @@ class Boundary {
   ScalarField& compressions() { return compression_; }
   /// Changes how much a sample stands for: nothing where a nozzle opens the wall.
   void set_sample(std::uint32_t b, float volume, float solid) {
-    volume_[b] = volume;
+    position_.value(b) = volume;
     solid_[b] = solid;
   }
   std::size_t memory_bytes() const;
@@ -69,8 +70,7 @@ class Boundary {
                       const CubicKernel& kernel, float radius);
 
   std::uint32_t count_ = 0;
-  VectorField position_;        ///< m
-  ScalarField volume_;          ///< m³
+  PointField position_;         ///< m, with the volumes, m³
   ScalarField solid_;           ///< density ratio that the solid behind a sample makes up for
   ScalarField pressure_;        ///< Pa, lasts from step to step
   ScalarField step_pressure_;   ///< Pa, within a step

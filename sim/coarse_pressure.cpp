@@ -22,25 +22,24 @@ constexpr int slots = CellNeighbourView::slots, self = CellNeighbourView::self;
 struct Pairs {
   ConductanceKernel kernel;
   CellGridView grid;
-  Vec3Arrays position;
+  PointView position;
   const float* active;
   NeighbourView wall_neighbours;
-  Vec3Arrays wall_position;
-  const float* wall_volume;
+  PointView walls;
 
   /// Σ w over all pairs of active particles, one of cell a and one of cell b, 1/m².
   SPINDRIFT_HD float between(std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t begin = grid.cell_begin(b), end = grid.cell_begin(b + 1);
+    const std::uint32_t begin = grid.cell_begin(a), end = grid.cell_begin(a + 1);
     RunSum total;
-    for (std::uint32_t i = grid.cell_begin(a); i < grid.cell_begin(a + 1); ++i) {
-      if (active[i] == 0)
-        continue;
-      const Vec3<float> xi = position[i];
-      total.add(begin, end, [&](auto j) {
-        const auto d = xi - position[j];
-        return kernel.weight(dot(d, d)) * load(active, j);
-      });
-    }
+    total.add(grid.cell_begin(b), grid.cell_begin(b + 1), [&](auto j) {
+      const auto xj = position[j];
+      auto sum = 0.f * xj.x;
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const auto d = position[i] - xj;
+        sum += active[i] * kernel.weight(dot(d, d));
+      }
+      return load(active, j) * sum;
+    });
     return total.value();
   }
 
@@ -50,8 +49,9 @@ struct Pairs {
     for (std::uint32_t i = grid.cell_begin(cell); i < grid.cell_begin(cell + 1); ++i) {
       const Vec3<float> xi = position[i];
       sum += active[i] * wall_neighbours.sum(i, [&](auto b) {
-        const auto d = xi - wall_position[b];
-        return load(wall_volume, b) * kernel.weight(dot(d, d));
+        const auto [xb, volume] = walls.point(b);
+        const auto d = xi - xb;
+        return volume * kernel.weight(dot(d, d));
       });
     }
     return sum;
@@ -96,11 +96,11 @@ void CoarsePressure::build(const StepContext& s, float delta) {
 }
 
 void CoarsePressure::find_active(const StepContext& s, float delta) {
-  const float *pressure = s.particles.step_pressure.data(),
-              *ratio = s.particles.density_ratio.data();
+  const PointView at = s.particles.drifted_position.view();
+  const float* ratio = s.particles.density_ratio.data();
   float* active = active_.resized(s.particles.count);
   s.executor.for_each("coarse grid", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-    active[i] = pressure[i] / delta + ratio[i] > 1 - slack ? 1.f : 0.f;
+    active[i] = at.value(i) / delta + ratio[i] > 1 - slack ? 1.f : 0.f;
   });
 }
 
@@ -115,8 +115,7 @@ void CoarsePressure::find_conductances(const StepContext& s) {
                     s.particles.drifted_position.view(),
                     active_.data(),
                     s.boundary.neighbours,
-                    s.boundary.position,
-                    s.boundary.volume};
+                    s.boundary.position};
   s.executor.for_each("coarse grid", batches * lane_count, [=] SPINDRIFT_HD(std::uint32_t c) {
     for (int t = 0; t < slots; ++t)
       conductance[CellNeighbourView::place(c, t)] = 0;
@@ -152,7 +151,7 @@ void CoarsePressure::find_conductances(const StepContext& s) {
 /// A boundary sample has the pressure of the particle nearest to it, and adds its residual there.
 void CoarsePressure::attach_walls(const StepContext& s) {
   const BoundaryView solid = s.boundary;
-  const Vec3Arrays x = s.particles.drifted_position.view();
+  const PointView x = s.particles.drifted_position.view();
   const CellGridView grid = s.grid;
   const GridMap map = *s.map;
   std::uint32_t *nearest = nearest_.data(), *wet_cell = wet_cell_.data();

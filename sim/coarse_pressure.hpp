@@ -30,7 +30,7 @@ struct CoarseView {
   GridMap map;
   CellGridView grid;
   CellNeighbourView neighbours;
-  Vec3Arrays position;                      ///< of the particles, m
+  PointView position;                       ///< of the particles, m
   const float* pressure;                    ///< per cell, Pa
   const std::uint32_t *nearest, *wet_cell;  ///< per wet boundary sample: a particle, its cell
 
@@ -149,11 +149,13 @@ void CoarsePressure::solve(const StepContext& s, F error) {
   const auto cell_of = [=] SPINDRIFT_HD(std::uint32_t k) { return wet_cell[k]; };
   s.executor.add_at_places("coarse pressure", solid.wet_count, residual, count_, cell_of,
                            [=] SPINDRIFT_HD(std::uint32_t k) {
-                             return solid.volume[solid.wet[k]] / volume * error(n + k).compression;
+                             return solid.position.value(solid.wet[k]) / volume *
+                                    error(n + k).compression;
                            });
   s.executor.add_at_places("coarse pressure", solid.wet_count, held_up, count_, cell_of,
                            [=] SPINDRIFT_HD(std::uint32_t k) {
-                             return solid.volume[solid.wet[k]] / volume * error(n + k).held_up;
+                             return solid.position.value(solid.wet[k]) / volume *
+                                    error(n + k).held_up;
                            });
   s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
     residual[c] = std::max(residual[c], -held_up[c]);

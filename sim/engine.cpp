@@ -203,9 +203,9 @@ struct Run final : Engine {
   void drift(double dt) {
     const float step = static_cast<float>(dt);
     const Vec3<float> dv = kick(dt) * body_acceleration(settings.forces, time);
-    const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
-                     drifted_x = particles.drifted_position.view(),
-                     drifted_v = particles.drifted_velocity.view();
+    const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
+    const PointView drifted_x = particles.drifted_position.view(),
+                    drifted_v = particles.drifted_velocity.view();
     const ContactView contact = walls.contact();
     inflow.mark(particles);
     const float* carried = inflow.held();
@@ -229,12 +229,11 @@ struct Run final : Engine {
   /// Takes over the corrected positions; returns how many particles were stopped by a surface.
   std::int64_t integrate(const StepContext& s, float pressure_factor, FrameStatistics& statistics) {
     const Vec3Arrays x = particles.position.view(), v = particles.velocity.view(),
-                     drifted_x = particles.drifted_position.view(),
-                     drifted_v = particles.drifted_velocity.view(),
-                     corrected = particles.corrected_position.view(),
                      a = particles.acceleration.view();
-    float *pressure = particles.pressure.data(), *new_pressure = particles.step_pressure.data(),
-          *sum = particles.mean_pressure.data();
+    const PointView drifted_x = particles.drifted_position.view(),
+                    drifted_v = particles.drifted_velocity.view(),
+                    corrected = particles.corrected_position.view();
+    float *pressure = particles.pressure.data(), *sum = particles.mean_pressure.data();
     const float dt = s.time_step, kick = s.kick;
     const StepView step = s.view();
     const Moved motion =
@@ -247,7 +246,7 @@ struct Run final : Engine {
             corrected.set(i, step.contact.resolve_off_walls(corrected[i], step.rest_distance()));
           x.set(i, corrected[i]);
           v.set(i, velocity);
-          pressure[i] = pressure_factor * new_pressure[i];
+          pressure[i] = pressure_factor * drifted_x.value(i);
           sum[i] += kick * pressure[i];
           return Moved{dot(velocity, velocity), dot(push, push) > 0,
                        double{pressure[i]} * pressure[i],
@@ -282,7 +281,7 @@ struct Run final : Engine {
   }
 
   /// Of particles whose density ratios are those at `position`.
-  void note_leftover(VectorField& position) {
+  void note_leftover(PointField& position) {
     if (corrects_density())
       leftover.note(executor, particles, position.view(), neighbourhood.boundary(), constants,
                     inflow.held());

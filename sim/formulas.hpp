@@ -25,8 +25,7 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Boundary samples and the lists of those near each fluid particle.
 struct BoundaryView {
-  Vec3Arrays position;                    ///< m
-  const float* volume = nullptr;          ///< m³
+  PointView position;                     ///< m, with the sample's volume V_b, m³
   const float* solid = nullptr;           ///< part of the density ratio that the solid makes up for
   const float* wall_viscosity = nullptr;  ///< μ_b, Pa·s; null: all have the fluid's μ_w
   Vec3Arrays velocity;                    ///< m/s; null: all are at rest
@@ -43,7 +42,7 @@ struct BoundaryView {
 
 /// ρᵢ/ρ₀ at `position`.
 SPINDRIFT_HD inline float density_ratio(std::uint32_t i, const FluidConstants& c,
-                                        const CubicKernel& kernel, const Vec3Arrays& position,
+                                        const CubicKernel& kernel, const PointView& position,
                                         const NeighbourView& neighbours,
                                         const BoundaryView& boundary) {
   const Vec3<float> xi = position[i];
@@ -52,8 +51,9 @@ SPINDRIFT_HD inline float density_ratio(std::uint32_t i, const FluidConstants& c
     return kernel.value(square_root(dot(d, d)));
   });
   const float solid = boundary.neighbours.sum(i, [&](auto b) {
-    const auto d = xi - boundary.position[b];
-    return load(boundary.volume, b) * kernel.value(square_root(dot(d, d)));
+    const auto [xb, volume] = boundary.position.point(b);
+    const auto d = xi - xb;
+    return volume * kernel.value(square_root(dot(d, d)));
   });
   return c.volume * fluid + solid;
 }
@@ -61,7 +61,7 @@ SPINDRIFT_HD inline float density_ratio(std::uint32_t i, const FluidConstants& c
 /// The part of ρᵢ/ρ₀ that is in a nozzle, held[j] = 1, or solid.
 SPINDRIFT_HD inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
                                                 const CubicKernel& kernel,
-                                                const Vec3Arrays& position, const float* held,
+                                                const PointView& position, const float* held,
                                                 const NeighbourView& neighbours,
                                                 const BoundaryView& boundary) {
   const Vec3<float> xi = position[i];
@@ -70,8 +70,9 @@ SPINDRIFT_HD inline float carried_density_ratio(std::uint32_t i, const FluidCons
     return load(held, j) * kernel.value(square_root(dot(d, d)));
   });
   const float solid = boundary.neighbours.sum(i, [&](auto b) {
-    const auto d = xi - boundary.position[b];
-    return load(boundary.volume, b) * kernel.value(square_root(dot(d, d)));
+    const auto [xb, volume] = boundary.position.point(b);
+    const auto d = xi - xb;
+    return volume * kernel.value(square_root(dot(d, d)));
   });
   return c.volume * fluid + solid;
 }
@@ -79,7 +80,7 @@ SPINDRIFT_HD inline float carried_density_ratio(std::uint32_t i, const FluidCons
 /// ρ_b/ρ₀ of boundary sample b, with the fluid particles at `position`.
 SPINDRIFT_HD inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
                                                  const CubicKernel& kernel,
-                                                 const Vec3Arrays& position,
+                                                 const PointView& position,
                                                  const BoundaryView& boundary) {
   const Vec3<float> xb = boundary.position[b];
   const float fluid = boundary.fluid.sum(b, [&](auto j) {
@@ -89,23 +90,23 @@ SPINDRIFT_HD inline float boundary_density_ratio(std::uint32_t b, const FluidCon
   return boundary.solid[b] + c.volume * fluid;
 }
 
-/// Acceleration by pressure, m/s².
+/// Acceleration by pressure, m/s², of particles at positions that carry their pressures.
 template <class Kernel>
 SPINDRIFT_HD Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c,
-                                               const Kernel& kernel, const Vec3Arrays& position,
-                                               const float* pressure,
+                                               const Kernel& kernel, const PointView& at,
                                                const NeighbourView& neighbours,
                                                const BoundaryView& boundary) {
-  const Vec3<float> xi = position[i];
-  const float pi = pressure[i];
-  const Vec3<float> fluid = neighbours.sum(i, [&](auto j) {
-    const auto d = xi - position[j];
-    return ((pi + load(pressure, j)) * kernel.gradient(square_root(dot(d, d)))) * d;
+  const auto [xi, pi] = at.point(i);
+  const Vec3<float> fluid = neighbours.sum(i, [&, xi = xi, pi = pi](auto j) {
+    const auto [xj, pj] = at.point(j);
+    const auto d = xi - xj;
+    return ((pi + pj) * kernel.gradient(square_root(dot(d, d)))) * d;
   });
-  const Vec3<float> solid = boundary.neighbours.sum(i, [&](auto b) {
-    const auto d = xi - boundary.position[b];
+  const Vec3<float> solid = boundary.neighbours.sum(i, [&, xi = xi, pi = pi](auto b) {
+    const auto [xb, volume] = boundary.position.point(b);
+    const auto d = xi - xb;
     const auto p = pi + load(boundary.step_pressure, b);
-    return (load(boundary.volume, b) * p * kernel.gradient(square_root(dot(d, d)))) * d;
+    return (volume * p * kernel.gradient(square_root(dot(d, d)))) * d;
   });
   return (-1.f / c.rest_density) * (c.volume * fluid + solid);
 }
@@ -120,21 +121,22 @@ SPINDRIFT_HD Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConst
 /// pressures, the samples' in BoundaryView::mean_pressure, it gives the mean.
 template <class Kernel>
 SPINDRIFT_HD float mechanical_pressure(std::uint32_t i, const FluidConstants& c,
-                                       const Kernel& kernel, const Vec3Arrays& position,
-                                       const float* pressure, const NeighbourView& neighbours,
+                                       const Kernel& kernel, const PointView& at,
+                                       const NeighbourView& neighbours,
                                        const BoundaryView& boundary) {
-  const Vec3<float> xi = position[i];
-  const float pi = pressure[i];
-  const float fluid = neighbours.sum(i, [&](auto j) {
-    const auto d = xi - position[j];
+  const auto [xi, pi] = at.point(i);
+  const float fluid = neighbours.sum(i, [&, xi = xi, pi = pi](auto j) {
+    const auto [xj, pj] = at.point(j);
+    const auto d = xi - xj;
     const auto r2 = dot(d, d);
-    return (pi + load(pressure, j)) * kernel.gradient(square_root(r2)) * r2;
+    return (pi + pj) * kernel.gradient(square_root(r2)) * r2;
   });
-  const float solid = boundary.neighbours.sum(i, [&](auto b) {
-    const auto d = xi - boundary.position[b];
+  const float solid = boundary.neighbours.sum(i, [&, xi = xi, pi = pi](auto b) {
+    const auto [xb, volume] = boundary.position.point(b);
+    const auto d = xi - xb;
     const auto r2 = dot(d, d);
     const auto p = pi + load(boundary.mean_pressure, b);
-    return load(boundary.volume, b) * p * kernel.gradient(square_root(r2)) * r2;
+    return volume * p * kernel.gradient(square_root(r2)) * r2;
   });
   return -1.f / 6.f * (c.volume * fluid + solid);
 }
@@ -148,8 +150,8 @@ SPINDRIFT_HD float mechanical_pressure(std::uint32_t i, const FluidConstants& c,
 /// along the axes would meet 0.7 of the viscosity.
 SPINDRIFT_HD inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c,
                                                      const DiffusionKernel& kernel,
-                                                     const Vec3Arrays& position,
-                                                     const Vec3Arrays& velocity,
+                                                     const PointView& position,
+                                                     const PointView& velocity,
                                                      const NeighbourView& neighbours,
                                                      const BoundaryView& boundary) {
   const Vec3<float> xi = position[i], vi = velocity[i];
@@ -162,16 +164,17 @@ SPINDRIFT_HD inline Vec3<float> viscous_acceleration(std::uint32_t i, const Flui
   if (boundary.wall_viscosity != nullptr) {
     const bool moving = boundary.velocity.x != nullptr;
     sum += (2 / c.volume) * boundary.neighbours.sum(i, [&](auto b) {
-      const auto d = xi - boundary.position[b];
-      const auto weight =
-          load(boundary.wall_viscosity, b) * load(boundary.volume, b) * kernel.weight(dot(d, d));
+      const auto [xb, volume] = boundary.position.point(b);
+      const auto d = xi - xb;
+      const auto weight = load(boundary.wall_viscosity, b) * volume * kernel.weight(dot(d, d));
       const auto relative = moving ? boundary.velocity[b] - vi : (0.f * weight) * vi - vi;
       return weight * relative;
     });
   } else if (c.wall_viscosity > 0) {
     const float near = boundary.neighbours.sum(i, [&](auto b) {
-      const auto d = xi - boundary.position[b];
-      return load(boundary.volume, b) * kernel.weight(dot(d, d));
+      const auto [xb, volume] = boundary.position.point(b);
+      const auto d = xi - xb;
+      return volume * kernel.weight(dot(d, d));
     });
     sum += (-2 * c.wall_viscosity * near / c.volume) * vi;
   }

@@ -80,7 +80,7 @@ void Inflow::attach(Walls& walls) {
       const glm::vec3 x = boundary.position(b);
       if (glm::any(glm::lessThan(x, low)) || glm::any(glm::greaterThan(x, high)))
         continue;
-      const float volume = boundary.volumes()[b], solid = boundary.solids()[b];
+      const float volume = boundary.volume(b), solid = boundary.solids()[b];
       if (nozzles_[n].is_in_the_way(x))
         openings_[n].samples.push_back({b, volume, solid, 0, solid - lowered});
       else if (const double sum = nozzles_[n].kernel_sum(x, kernel); sum > 0)
@@ -142,7 +142,7 @@ void Inflow::mark(const Particles& particles) {
 void Inflow::carry(Executor& executor, Particles& particles, double time) const {
   if (held_layers_.empty())
     return;
-  const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
+  const PointView x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
   executor.for_each_on_host("carry inflow", particles.count, [&](std::uint32_t i) {
     const Layer* l = held_layer_of(particles.ids[i]);
     if (l == nullptr)
@@ -157,7 +157,7 @@ void Inflow::allow(const StepContext& s, float* excess) const {
   if (held_layers_.empty() || excess == nullptr)
     return;
   const CubicKernel kernel(s.constants.support_radius);
-  const Vec3Arrays x = s.particles.drifted_position.view();
+  const PointView x = s.particles.drifted_position.view();
   const float* held = held_.data();
   s.executor.for_each_on_host("carry inflow", s.particles.count, [&](std::uint32_t i) {
     if (held[i] > 0)

@@ -25,7 +25,7 @@ SPINDRIFT_HD float counted(float density_ratio, float pressure, float most) {
 
 }  // namespace
 
-void Leftover::note(Executor& executor, Particles& particles, const Vec3Arrays& position,
+void Leftover::note(Executor& executor, Particles& particles, const PointView& position,
                     const BoundaryView& boundary, const FluidConstants& constants,
                     const float* held) {
   const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
@@ -41,7 +41,7 @@ void Leftover::note(Executor& executor, Particles& particles, const Vec3Arrays& 
                .value;
   const CubicKernel kernel(constants.support_radius);
   const BoundaryView solid = boundary;
-  const Vec3Arrays at = position;
+  const PointView at = position;
   const FluidConstants c = constants;
   executor.for_each("leftover", boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
     const std::uint32_t b = solid.wet[k];

@@ -21,7 +21,7 @@ class Leftover {
   /// or of particles as they are given.
   /// @param position of the particles, m, as long as the neighbour lists ask for
   /// @param held 1 for particles that a nozzle moves, which do not count; null: there are none
-  void note(Executor& executor, Particles& particles, const Vec3Arrays& position,
+  void note(Executor& executor, Particles& particles, const PointView& position,
             const BoundaryView& boundary, const FluidConstants& constants, const float* held);
 
   /// Compression that a step of length dt, s, tried for the given time, may leave, per particle.

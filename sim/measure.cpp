@@ -27,17 +27,17 @@ Vec3<float> lowest_corner(const Settings& settings) {
 template <class Kernel>
 void measure_pressure_with(const Kernel& kernel, const StepContext& s, double time) {
   Particles& particles = s.particles;
-  const Vec3Arrays position = particles.corrected_position.view();
+  const PointView at = particles.corrected_position.view();
   ScalarField& result = particles.density_ratio;
   float *sum = particles.mean_pressure.data(), *pressure = result.data();
   const auto per_time = static_cast<float>(1 / time);
   const StepView step = s.view();
   const Kernel of_pressure = kernel;
-  s.executor.for_each("measure pressure", 1, [=] SPINDRIFT_HD(std::uint32_t) {
-    sum[step.count] = 0;  // of the sentinel
+  s.executor.for_each("measure pressure", particles.count + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+    at.value(i) = i < step.count ? sum[i] : 0;  // the sentinel's
   });
   s.executor.for_each("measure pressure", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-    pressure[i] = per_time * mechanical_pressure(i, step.constants, of_pressure, position, sum,
+    pressure[i] = per_time * mechanical_pressure(i, step.constants, of_pressure, at,
                                                  step.neighbours, step.boundary);
   });
   particles.mean_pressure.swap(result);
@@ -64,14 +64,16 @@ double energy_of(const FluidConstants& constants, const Settings& settings,
 
 Measured measure(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
                  const FluidConstants& constants, const Settings& settings, float radius) {
-  const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+  const Vec3Arrays x = particles.position.view();
+  const PointView at = particles.drifted_position.view();
   executor.for_each("measure", particles.count,
                     [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
   neighbourhood.update(executor, particles, radius);
   const CubicKernel kernel(constants.support_radius);
   const NeighbourView neighbours = neighbourhood.fluid();
   const BoundaryView solid = neighbourhood.boundary();
-  const Vec3Arrays position = particles.drifted_position.view(), v = particles.velocity.view();
+  const PointView position = particles.drifted_position.view();
+  const Vec3Arrays v = particles.velocity.view();
   const float* pressure = particles.pressure.data();
   float* ratio = particles.density_ratio.data();
   const Vec3<float> down = from_glm(settings.forces.gravity), origin = lowest_corner(settings);

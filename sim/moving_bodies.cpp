@@ -23,26 +23,27 @@ float deep_in(const Shape& shape, const Vec3<float>& p) {
 
 template <class Kernel>
 Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c, const Kernel& kernel,
-                           const Vec3Arrays& position, const float* pressure,
-                           const BoundaryView& boundary) {
-  const Vec3<float> xb = boundary.position[b];
+                           const PointView& at, const BoundaryView& boundary) {
+  const auto [xb, volume] = boundary.position.point(b);
   const float pb = boundary.step_pressure[b];
-  const Vec3<float> sum = boundary.fluid.sum(b, [&](auto i) {
-    const auto d = position[i] - xb;
-    return ((load(pressure, i) + pb) * kernel.gradient(square_root(dot(d, d)))) * d;
+  const Vec3<float> sum = boundary.fluid.sum(b, [&, xb = xb](auto i) {
+    const auto [xi, pi] = at.point(i);
+    const auto d = xi - xb;
+    return ((pi + pb) * kernel.gradient(square_root(dot(d, d)))) * d;
   });
-  return (-c.volume * boundary.volume[b]) * sum;
+  return (-c.volume * volume) * sum;
 }
 
 Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& kernel,
-                           const Vec3Arrays& position, const Vec3Arrays& velocity,
+                           const PointView& position, const PointView& velocity,
                            const BoundaryView& boundary) {
-  const Vec3<float> xb = boundary.position[b], vb = boundary.velocity[b];
-  const Vec3<float> sum = boundary.fluid.sum(b, [&](auto i) {
+  const auto [xb, volume] = boundary.position.point(b);
+  const Vec3<float> vb = boundary.velocity[b];
+  const Vec3<float> sum = boundary.fluid.sum(b, [&, xb = xb](auto i) {
     const auto d = position[i] - xb;
     return kernel.weight(dot(d, d)) * (vb - velocity[i]);
   });
-  return (2 * boundary.wall_viscosity[b] * boundary.volume[b]) * sum;
+  return (2 * boundary.wall_viscosity[b] * volume) * sum;
 }
 
 }  // namespace
@@ -153,7 +154,7 @@ bool MovingBodies::may_meet_another(std::size_t sample, const Vec3<float>& p) co
 
 void MovingBodies::share_places() {
   const CellGridView grid = boundary_.grid().view();
-  const Vec3Arrays x = boundary_.positions();
+  const PointView x = boundary_.positions();
   const float spacing = settings_.fluid.spacing;
   RowCursors cursors(map_, grid);
   for (std::uint32_t k = 0; k < placed_.size(); ++k) {
@@ -244,8 +245,7 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
   const CubicKernel cubic(constants.support_radius);
   const SpikyKernel spiky(constants.support_radius);
   const DiffusionKernel diffusion(constants.spacing, constants.support_radius);
-  const Vec3Arrays x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
-  const float* pressure = particles.step_pressure.data();
+  const PointView x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
   return executor
       .reduce_on_host<Sum>("wall work", boundary.wet_count,
                            [&](std::uint32_t k) {
@@ -255,8 +255,8 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
                                return Sum{};
                              Vec3<float> force =
                                  kernel == PressureKernel::spiky
-                                     ? pressure_force(b, constants, spiky, x, pressure, boundary)
-                                     : pressure_force(b, constants, cubic, x, pressure, boundary);
+                                     ? pressure_force(b, constants, spiky, x, boundary)
+                                     : pressure_force(b, constants, cubic, x, boundary);
                              if (boundary.wall_viscosity[b] > 0)
                                force += friction_force(b, diffusion, x, v, boundary);
                              return Sum{double{dot(force, way)}};

@@ -3,11 +3,19 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
+float* elements(ScalarField& field) {
+  return field.data();
+}
+PointRow* elements(PointField& field) {
+  return field.view().rows;
+}
+
 /// Brings a field into a new order, by way of another.
-void permute(Executor& executor, const std::uint32_t* order, std::uint32_t n, ScalarField& field,
-             ScalarField& scratch) {
-  const float* from = field.data();
-  float* to = scratch.data();
+template <class Field>
+void permute(Executor& executor, const std::uint32_t* order, std::uint32_t n, Field& field,
+             Field& scratch) {
+  const auto* from = elements(field);
+  auto* to = elements(scratch);
   executor.for_each("reorder one field", n,
                     [=] SPINDRIFT_HD(std::uint32_t i) { to[i] = from[order[i]]; });
   field.swap(scratch);
@@ -24,7 +32,7 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
   reorder(executor, particles);
 
   const PhaseClock::Scope timed(executor.clock(), "neighbour lists");
-  const Vec3Arrays points = particles.drifted_position.view();
+  const PointView points = particles.drifted_position.view();
   executor.for_each("sentinel", 1, [=] SPINDRIFT_HD(std::uint32_t) {
     points.set(n, {sentinel_position, sentinel_position, sentinel_position});
   });
@@ -49,10 +57,11 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
   const std::uint32_t n = particles.count;
   const std::uint32_t* order = grid_.order().data();
   const PhaseClock::Scope timed(executor.clock(), "reorder");
-  // The density ratios are of the last step, and nobody's any more.
+  // Density ratios and corrected positions are of the last step, and nobody's any more.
   ScalarField& scratch = particles.density_ratio;
-  for (VectorField* field : {&particles.position, &particles.velocity, &particles.drifted_position,
-                             &particles.drifted_velocity})
+  for (PointField* field : {&particles.drifted_position, &particles.drifted_velocity})
+    permute(executor, order, n, *field, particles.corrected_position);
+  for (VectorField* field : {&particles.position, &particles.velocity})
     for (int c = 0; c < 3; ++c)
       permute(executor, order, n, field->component(c), scratch);
   permute(executor, order, n, particles.pressure, scratch);

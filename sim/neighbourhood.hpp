@@ -20,7 +20,6 @@ class Neighbourhood {
   NeighbourView fluid() const { return fluid_.view(); }
   BoundaryView boundary() {
     return {.position = boundary_.positions(),
-            .volume = boundary_.volumes(),
             .solid = boundary_.solids(),
             .wall_viscosity = boundary_.wall_viscosities(),
             .velocity = boundary_.velocities(),

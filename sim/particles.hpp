@@ -62,6 +62,26 @@ class VectorField {
   ScalarField components_[3];
 };
 
+/// Points with a number each, side by side.
+class PointField {
+ public:
+  void resize(std::uint32_t n) {
+    const std::size_t size = n + std::size_t{2 * lane_count};
+    if (!rows_.empty() && size > rows_.capacity())
+      rows_.reserve(size + size / 16);
+    rows_.resize(size, PointRow{0, 0, 0, 0});
+  }
+  PointView view() { return {rows_.data()}; }
+  glm::vec3 at(std::uint32_t i) const { return {rows_[i].x, rows_[i].y, rows_[i].z}; }
+  float value(std::uint32_t i) const { return rows_[i].value; }
+  float& value(std::uint32_t i) { return rows_[i].value; }
+  void swap(PointField& other) { rows_.swap(other.rows_); }
+  std::size_t memory_bytes() const { return rows_.capacity() * sizeof(PointRow); }
+
+ private:
+  Array<PointRow> rows_;
+};
+
 /// State that lasts from step to step, and what a step needs besides.
 struct Particles {
   std::uint32_t count = 0;
@@ -79,28 +99,31 @@ struct Particles {
   ScalarField mean_pressure;
 
   // Within a step.
-  VectorField drifted_position;    ///< where particles are about to be, but for pressure, m
-  VectorField drifted_velocity;    ///< with all but pressure, m/s
-  VectorField acceleration;        ///< viscous, then by pressure, m/s²
-  VectorField corrected_position;  ///< with pressure, m
-  ScalarField density_ratio;       ///< ρ/ρ₀
-  ScalarField step_pressure;       ///< the iterate of this step, Pa
-  ScalarField excess;              ///< compression that this step may leave as it is
+  /// Where particles are about to be, but for pressure, m; with the iterate of this step's
+  /// pressure, Pa.
+  PointField drifted_position;
+  PointField drifted_velocity;  ///< with all but pressure, m/s
+  VectorField acceleration;     ///< viscous, then by pressure, m/s²
+  /// With pressure, m; with the pressure that eases positions, Pa, or another that is summed up.
+  PointField corrected_position;
+  ScalarField density_ratio;  ///< ρ/ρ₀
+  ScalarField excess;         ///< compression that this step may leave as it is
 
   void resize(std::uint32_t n) {
     count = n;
-    for (VectorField* f : {&position, &velocity, &drifted_position, &drifted_velocity,
-                           &acceleration, &corrected_position})
+    for (VectorField* f : {&position, &velocity, &acceleration})
       f->resize(n);
-    for (ScalarField* f : {&pressure, &density_ratio, &step_pressure})
+    for (PointField* f : {&drifted_position, &drifted_velocity, &corrected_position})
+      f->resize(n);
+    for (ScalarField* f : {&pressure, &density_ratio})
       f->resize(n);
     ids.resize(n);
   }
 
   std::size_t memory_bytes() const {
-    return 6 * position.memory_bytes() + 3 * pressure.memory_bytes() + compression.memory_bytes() +
-           mean_pressure.memory_bytes() + excess.memory_bytes() +
-           ids.capacity() * sizeof(std::uint32_t);
+    return 3 * position.memory_bytes() + 3 * drifted_position.memory_bytes() +
+           2 * pressure.memory_bytes() + compression.memory_bytes() + mean_pressure.memory_bytes() +
+           excess.memory_bytes() + ids.capacity() * sizeof(std::uint32_t);
   }
 };
 

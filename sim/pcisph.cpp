@@ -89,10 +89,12 @@ class Pcisph : public PressureSolver {
     const float delta = stiffness(s), most = most_eased * settings_.max_compression;
     const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data(),
                 *wet = wet_compression_.data();
-    float* easing = p.step_pressure.data();
+    const PointView x = p.corrected_position.view(), moved = p.drifted_position.view();
     const StepView step = s.view();
-    s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-      easing[i] = step.is_held(i) ? 0 : easing_pressure(ratio[i] - 1, pressure[i], delta, most);
+    s.executor.for_each("ease", p.count + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+      x.value(i) = i == step.count || step.is_held(i)
+                       ? 0
+                       : easing_pressure(ratio[i] - 1, pressure[i], delta, most);
     });
     s.executor.for_each("ease", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
       const BoundaryView& solid = step.boundary;
@@ -100,12 +102,11 @@ class Pcisph : public PressureSolver {
       solid.step_pressure[b] =
           easing_pressure(wet[k] + step.kept_by_sample(b), solid.pressure[b], delta, most);
     });
-    const Vec3Arrays x = p.corrected_position.view(), moved = p.drifted_position.view();
     const float dt2 = s.time_step * s.time_step;
     const Kernel kernel = pressure_kernel_;
     s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-      const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, x, easing,
-                                                  step.neighbours, step.boundary);
+      const Vec3<float> a =
+          pressure_acceleration(i, step.constants, kernel, x, step.neighbours, step.boundary);
       moved.set(i, step.is_held(i) ? x[i] : step.contact.resolve(x[i] + dt2 * a));
     });
     keep_if_better(s, delta);
@@ -143,12 +144,12 @@ class Pcisph : public PressureSolver {
   /// away does not go through the denormal numbers, on which processors are a hundred times slower.
   void start_pressure(const StepContext& s, float delta) {
     const float* last = s.particles.pressure.data();
-    float* p = s.particles.step_pressure.data();
+    const PointView at = s.particles.drifted_position.view();
     const float least = 1e-6f * delta, share = warm_start * s.kick / s.time_step;
     const std::uint32_t n = s.particles.count;
     const BoundaryView solid = s.boundary;
     s.executor.for_each("start pressure", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
-      p[i] = i < n ? part_of(share, last[i], least) : 0.f;
+      at.value(i) = i < n ? part_of(share, last[i], least) : 0.f;
     });
     s.executor.for_each("start pressure", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
       const std::uint32_t b = solid.wet[k];
@@ -160,9 +161,8 @@ class Pcisph : public PressureSolver {
   /// at most, m.
   float accelerate_and_predict(const StepContext& s) {
     Particles& p = s.particles;
-    const Vec3Arrays drifted = p.drifted_position.view(), corrected = p.corrected_position.view(),
-                     acceleration = p.acceleration.view();
-    const float* pressure = p.step_pressure.data();
+    const PointView drifted = p.drifted_position.view(), corrected = p.corrected_position.view();
+    const Vec3Arrays acceleration = p.acceleration.view();
     const float dt2 = s.time_step * s.time_step;
     const StepView step = s.view();
     const Kernel kernel = pressure_kernel_;
@@ -173,7 +173,7 @@ class Pcisph : public PressureSolver {
             corrected.set(i, drifted[i]);
             return Largest{};
           }
-          const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, drifted, pressure,
+          const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, drifted,
                                                       step.neighbours, step.boundary);
           acceleration.set(i, a);
           corrected.set(i, step.moved(i, dt2 * a));
@@ -189,8 +189,7 @@ class Pcisph : public PressureSolver {
   /// density, neither above nor below it: expansion held up by pressure is an error as well.
   Residual predict_density(const StepContext& s, float delta) {
     Particles& p = s.particles;
-    const Vec3Arrays corrected = p.corrected_position.view();
-    const float* pressure = p.step_pressure.data();
+    const PointView corrected = p.corrected_position.view(), drifted = p.drifted_position.view();
     float* ratio = p.density_ratio.data();
     const StepView step = s.view();
     const CubicKernel kernel = density_kernel_;
@@ -205,7 +204,7 @@ class Pcisph : public PressureSolver {
           const float wanted = step.compression(i);
           const bool too_dense = step.excess[i] > most;
           const float compression = std::max(0.f, settling || too_dense ? wanted : ratio[i] - 1.f);
-          const float error = std::abs(std::max(wanted, -pressure[i] / delta));
+          const float error = std::abs(std::max(wanted, -drifted.value(i) / delta));
           return Residual{compression, error, compression};
         });
     residual.error += predict_wet_density(s, delta);
@@ -215,7 +214,7 @@ class Pcisph : public PressureSolver {
   /// The same for the wet boundary samples; returns the sum of their errors. Without them a pair of
   /// particles that lands on a floor bounces.
   double predict_wet_density(const StepContext& s, float delta) {
-    const Vec3Arrays corrected = s.particles.corrected_position.view();
+    const PointView corrected = s.particles.corrected_position.view();
     const StepView step = s.view();
     const CubicKernel kernel = density_kernel_;
     float* compression = wet_compression_.resized(s.boundary.wet_count);
@@ -236,10 +235,11 @@ class Pcisph : public PressureSolver {
     const StepView step = s.view();
     const BoundaryView solid = s.boundary;
     const std::uint32_t n = s.particles.count;
-    const float *p = s.particles.step_pressure.data(), *wet = wet_compression_.data();
+    const PointView p = s.particles.drifted_position.view();
+    const float* wet = wet_compression_.data();
     acceleration_.add(s.executor, n + solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
       const bool liquid = k < n;
-      const float pressure = liquid ? p[k] : solid.step_pressure[solid.wet[k - n]];
+      const float pressure = liquid ? p.value(k) : solid.step_pressure[solid.wet[k - n]];
       const float compression = liquid ? step.compression(k) : wet[k - n];
       return AndersonPoint{pressure, std::max(compression, -pressure / delta)};
     });
@@ -249,12 +249,12 @@ class Pcisph : public PressureSolver {
   /// each particle does.
   void correct_everywhere(const StepContext& s, float delta) {
     coarse_.build(s, delta);
-    float* p = s.particles.step_pressure.data();
+    const PointView p = s.particles.drifted_position.view();
     const float* wet = wet_compression_.data();
     const std::uint32_t n = s.particles.count;
     const StepView step = s.view();
     coarse_.solve(s, [=] SPINDRIFT_HD(std::uint32_t k) {
-      return k < n ? CoarsePressure::Error{step.compression(k), p[k] / delta}
+      return k < n ? CoarsePressure::Error{step.compression(k), p.value(k) / delta}
                    : CoarsePressure::Error{
                          wet[k - n], step.boundary.step_pressure[step.boundary.wet[k - n]] / delta};
     });
@@ -262,7 +262,7 @@ class Pcisph : public PressureSolver {
     const CoarseView coarse = coarse_.view();
     s.executor.for_each("correct pressure", s.grid.cell_count, [=] SPINDRIFT_HD(std::uint32_t c) {
       coarse.at_particles(c, [&](std::uint32_t i, float everywhere) {
-        p[i] = std::max(0.f, p[i] + part * step.compression(i) + everywhere);
+        p.value(i) = std::max(0.f, p.value(i) + part * step.compression(i) + everywhere);
       });
     });
     s.executor.for_each("correct pressure", s.boundary.wet_count,
@@ -274,14 +274,14 @@ class Pcisph : public PressureSolver {
 
   void correct_pressure(const StepContext& s, float delta) {
     const std::uint32_t n = s.particles.count;
-    float* p = s.particles.step_pressure.data();
+    const PointView p = s.particles.drifted_position.view();
     const BoundaryView solid = s.boundary;
     const float part = relaxation * delta;
     const AndersonView history = acceleration_.view();
     s.executor.for_each("correct pressure", n + solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
       const AndersonPoint best = history.at(k);
       const float pressure = std::max(0.f, best.iterate + part * best.residual);
-      (k < n ? p[k] : solid.step_pressure[solid.wet[k - n]]) = pressure;
+      (k < n ? p.value(k) : solid.step_pressure[solid.wet[k - n]]) = pressure;
     });
   }
 
@@ -300,8 +300,8 @@ class Pcisph : public PressureSolver {
   /// ratios, if they are better.
   void keep_if_better(const StepContext& s, float delta) {
     Particles& p = s.particles;
-    const Vec3Arrays moved = p.drifted_position.view(), x = p.position.view(),
-                     corrected = p.corrected_position.view();
+    const PointView moved = p.drifted_position.view(), corrected = p.corrected_position.view();
+    const Vec3Arrays x = p.position.view();
     float *ratio = p.density_ratio.data(), *moved_ratio = p.excess.data();
     const float* pressure = p.pressure.data();
     const StepView step = s.view();

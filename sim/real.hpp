@@ -20,6 +20,15 @@ SPINDRIFT_HD inline float rounded_down(float x) {
   return std::floor(x);
 }
 
+SPINDRIFT_HD inline float at_least(float x, float least) {
+  return x > least ? x : least;
+}
+
+template <class Real>
+SPINDRIFT_HD Real positive(Real x) {
+  return at_least(x, 0.f);
+}
+
 /// The elements `j` of an array.
 SPINDRIFT_HD inline float load(const float* a, std::uint32_t j) {
   return a[j];
@@ -57,6 +66,52 @@ template <class Real>
 Vec3<float> reduce(const Vec3<Real>& a) {
   return {reduce(a.x), reduce(a.y), reduce(a.z)};
 }
+
+/// A point in space, m, and a number that is wanted wherever the point is. Both stand beside each
+/// other, so that one access to memory brings what is to be known of a neighbour.
+struct alignas(16) PointRow {
+  float x, y, z, value;
+};
+
+/// The row `j` of an array.
+SPINDRIFT_HD inline PointRow load(const PointRow* rows, std::uint32_t j) {
+  return rows[j];
+}
+
+#ifndef SPINDRIFT_DEVICE
+inline LaneRows load(const PointRow* rows, LaneList list) {
+  return transposed([&](int k) { return &rows[list.numbers[k]].x; });
+}
+inline LaneRows load(const PointRow* rows, LaneRun run) {
+  return transposed([&](int k) { return &rows[run.first + static_cast<std::uint32_t>(k)].x; });
+}
+#endif
+
+/// The same as a vector and its number, of one neighbour or of eight.
+template <class Real>
+struct Point {
+  Vec3<Real> position;
+  Real value;
+};
+
+/// An array of points.
+struct PointView {
+  PointRow* rows = nullptr;
+
+  template <class Index>
+  SPINDRIFT_HD auto point(Index j) const {
+    const auto row = load(rows, j);
+    return Point<decltype(row.x + row.x)>{{row.x, row.y, row.z}, row.value};
+  }
+  template <class Index>
+  SPINDRIFT_HD auto operator[](Index j) const {
+    return point(j).position;
+  }
+  SPINDRIFT_HD void set(std::uint32_t i, const Vec3<float>& p) const {
+    rows[i] = {p.x, p.y, p.z, rows[i].value};
+  }
+  SPINDRIFT_HD float& value(std::uint32_t i) const { return rows[i].value; }
+};
 
 /// Three arrays that hold one vector per particle.
 struct Vec3Arrays {

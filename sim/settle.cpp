@@ -69,7 +69,8 @@ struct Settling {
   }
 
   void find_neighbours() {
-    const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+    const Vec3Arrays x = particles.position.view();
+    const PointView at = particles.drifted_position.view();
     executor.for_each("settle", particles.count,
                       [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
     neighbourhood.update(executor, particles, radius);
@@ -79,7 +80,7 @@ struct Settling {
   Compression compression() {
     find_neighbours();
     const CubicKernel kernel(constants.support_radius);
-    const Vec3Arrays position = particles.drifted_position.view();
+    const PointView position = particles.drifted_position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
     const BoundaryView solid = neighbourhood.boundary();
     float* above = particles.compression.resized(particles.count);
@@ -111,7 +112,8 @@ struct Settling {
 
   /// The gradient of a kernel is zero at its middle.
   void part_coincident() {
-    const Vec3Arrays x = particles.position.view(), at = particles.drifted_position.view();
+    const Vec3Arrays x = particles.position.view();
+    const PointView at = particles.drifted_position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
     const float near = same_place * constants.spacing;
     const float* held = inflow.held();
@@ -161,7 +163,7 @@ struct Settling {
       if (result.accepted || part >= 0.99f)
         break;
     }
-    const Vec3Arrays corrected = particles.corrected_position.view();
+    const PointView corrected = particles.corrected_position.view();
     executor.for_each("settle", n, [=] SPINDRIFT_HD(std::uint32_t i) { x.set(i, corrected[i]); });
   }
 };

@@ -17,7 +17,7 @@ struct StepView {
   ContactView contact;
   const float* held;           ///< 1: a nozzle moves the particle, and nothing else; null: none
   Vec3Arrays position;         ///< at the step's start, m
-  Vec3Arrays drifted;          ///< where particles are about to be, but for pressure, m
+  PointView drifted;           ///< where particles are about to be, but for pressure, m
   const float* density_ratio;  ///< ρ/ρ₀, as last predicted
   const float* excess;         ///< compression that a particle may keep in this step
   float kept;                  ///< part of the wet samples' leftover compression that they may keep
@@ -88,10 +88,11 @@ struct StepContext {
 struct StepResult {
   bool accepted = true;  ///< false: repeat the step with a smaller Δt
   int iterations = 0;
-  float pressure_factor = 1;  ///< from `step_pressure` to the pressure that is kept and reported
+  float pressure_factor = 1;  ///< from the iterate to the pressure that is kept and reported
 };
 
-/// Leaves `acceleration` (by pressure), `step_pressure` and `corrected_position` such that
+/// Leaves `acceleration` (by pressure), the pressure (beside the drifted positions) and
+/// `corrected_position` such that
 ///   corrected position = contact(drifted position + Δt² acceleration),
 /// and, of a particle that is held, the drifted position, with no acceleration.
 class PressureSolver {

@@ -36,7 +36,8 @@ bool SurfaceTension::apply(const StepContext& s) {
   view_.lack = lack_.resized(n);
   gradient_.resize(n);
   view_.gradient = gradient_.view();
-  const Vec3Arrays x = p.drifted_position.view(), dv = p.acceleration.view();
+  const PointView x = p.drifted_position.view();
+  const Vec3Arrays dv = p.acceleration.view();
   const StepView step = s.view();
   const TensionView view = view_;
   const float kick = s.kick;

@@ -76,7 +76,7 @@ Colour<float> reduce(const Colour<Real>& c) {
 inline namespace SPINDRIFT_BACKEND {
 
 SPINDRIFT_HD inline Colour<float> colour(std::uint32_t i, const FluidConstants& c,
-                                         const TensionView& tension, const Vec3Arrays& position,
+                                         const TensionView& tension, const PointView& position,
                                          const NeighbourView& neighbours,
                                          const BoundaryView& boundary) {
   const TensionKernel& kernel = tension.kernel;
@@ -87,9 +87,10 @@ SPINDRIFT_HD inline Colour<float> colour(std::uint32_t i, const FluidConstants& 
     return Colour<decltype(t * t)>{t * t * t, t * t * r};
   });
   sum += boundary.neighbours.sum(i, [&](auto b) {
-    const auto r = xi - boundary.position[b];
+    const auto [xb, volume] = boundary.position.point(b);
+    const auto r = xi - xb;
     const auto t = kernel.reach(dot(r, r));
-    const auto part = tension.wetting * load(boundary.volume, b) * t * t;
+    const auto part = tension.wetting * volume * t * t;
     return Colour<decltype(t * t)>{part * t, part * r};
   });
   const float slope = -6 * kernel.scale * kernel.inverse_squared_radius * c.spacing;
@@ -98,7 +99,7 @@ SPINDRIFT_HD inline Colour<float> colour(std::uint32_t i, const FluidConstants& 
 
 /// Acceleration by surface tension, m/s².
 SPINDRIFT_HD inline Vec3<float> tension_acceleration(std::uint32_t i, const TensionView& tension,
-                                                     const Vec3Arrays& position,
+                                                     const PointView& position,
                                                      const NeighbourView& neighbours,
                                                      const BoundaryView& boundary) {
   const TensionKernel& kernel = tension.kernel;
@@ -112,11 +113,12 @@ SPINDRIFT_HD inline Vec3<float> tension_acceleration(std::uint32_t i, const Tens
   });
   const Vec3<float> turn = tension.gradient_factor * gi;
   const Vec3<float> walls = boundary.neighbours.sum(i, [&](auto b) {
-    const auto r = xi - boundary.position[b];
+    const auto [xb, volume] = boundary.position.point(b);
+    const auto r = xi - xb;
     const auto t = kernel.reach(dot(r, r));
     const auto along =
         4.f * kernel.inverse_squared_radius * (r.x * turn.x + r.y * turn.y + r.z * turn.z);
-    return (tension.wetting * load(boundary.volume, b) * t) * ((t * qi + along) * r - t * turn);
+    return (tension.wetting * volume * t) * ((t * qi + along) * r - t * turn);
   });
   return tension.factor * (liquid + walls);
 }

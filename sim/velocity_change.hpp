@@ -14,8 +14,8 @@ inline bool change_velocities(const StepContext& s, std::string_view name) {
   // Lists reach this far beyond the support radius, and pressure needs the most of it.
   constexpr float largest_move = 0.01f;
   Particles& p = s.particles;
-  const Vec3Arrays x = p.drifted_position.view(), v = p.drifted_velocity.view(),
-                   dv = p.acceleration.view();
+  const PointView x = p.drifted_position.view(), v = p.drifted_velocity.view();
+  const Vec3Arrays dv = p.acceleration.view();
   const float dt = s.time_step;
   const StepView step = s.view();
   const auto change_one = [=] SPINDRIFT_HD(std::uint32_t i) {

@@ -24,7 +24,7 @@ double stable_step(const FluidConstants& c, float wall_viscosity, const Diffusio
 /// Acceleration by viscosity, m/s². What a nozzle moves is not slowed by its neighbours.
 SPINDRIFT_HD Vec3<float> free_acceleration(std::uint32_t i, const StepView& step,
                                            const DiffusionKernel& kernel,
-                                           const Vec3Arrays& velocity) {
+                                           const PointView& velocity) {
   return step.is_held(i) ? Vec3<float>{0, 0, 0}
                          : viscous_acceleration(i, step.constants, kernel, step.drifted, velocity,
                                                 step.neighbours, step.boundary);
@@ -48,7 +48,8 @@ bool Viscosity::apply(const StepContext& s) {
 /// Leaves the change of velocity in `acceleration`.
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
-  const Vec3Arrays v = p.drifted_velocity.view(), dv = p.acceleration.view();
+  const PointView v = p.drifted_velocity.view();
+  const Vec3Arrays dv = p.acceleration.view();
   const StepView step = s.view();
   const DiffusionKernel kernel = kernel_;
   const float dt = s.time_step;
@@ -69,8 +70,8 @@ void Viscosity::implicit_step(const StepContext& s) {
   const std::uint32_t n = p.count;
   residual_.resize(n);
   image_.resize(n);
-  const Vec3Arrays dv = p.acceleration.view(), r = residual_.view(),
-                   direction = p.corrected_position.view(), image = image_.view();
+  const Vec3Arrays dv = p.acceleration.view(), r = residual_.view(), image = image_.view();
+  const PointView direction = p.corrected_position.view();
   explicit_step(s);
   StepView step = s.view();
   step.boundary.velocity = {};  // a change of velocity does not meet the walls' own

@@ -27,9 +27,8 @@ class Wcsph : public PressureSolver {
 
   StepResult solve(const StepContext& s) override {
     Particles& p = s.particles;
-    const Vec3Arrays drifted = p.drifted_position.view(), corrected = p.corrected_position.view(),
-                     acceleration = p.acceleration.view();
-    float* pressure = p.step_pressure.data();
+    const PointView drifted = p.drifted_position.view(), corrected = p.corrected_position.view();
+    const Vec3Arrays acceleration = p.acceleration.view();
     float* ratio = p.density_ratio.data();
     const StepView step = s.view();
     const CubicKernel density_kernel = density_kernel_;
@@ -37,12 +36,12 @@ class Wcsph : public PressureSolver {
     const float rest_density = s.constants.rest_density, speed_of_sound = speed_of_sound_;
     s.executor.for_each("density", p.count + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
       if (i == step.count) {
-        pressure[i] = 0;
+        drifted.value(i) = 0;
         return;
       }
       ratio[i] =
           density_ratio(i, step.constants, density_kernel, drifted, step.neighbours, step.boundary);
-      pressure[i] = tait_pressure(ratio[i], rest_density, speed_of_sound);
+      drifted.value(i) = tait_pressure(ratio[i], rest_density, speed_of_sound);
     });
     s.executor.for_each(
         "boundary density", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
@@ -59,7 +58,7 @@ class Wcsph : public PressureSolver {
         return;
       }
       const Vec3<float> a = pressure_acceleration(i, step.constants, pressure_kernel, drifted,
-                                                  pressure, step.neighbours, step.boundary);
+                                                  step.neighbours, step.boundary);
       acceleration.set(i, a);
       corrected.set(i, step.moved(i, dt2 * a));
     });

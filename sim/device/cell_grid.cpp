@@ -4,7 +4,7 @@
 
 namespace spindrift::sim::inline device {
 
-void CellGrid::sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count) {
+void CellGrid::sort(const GridMap& map, const PointView& points, std::uint32_t count) {
   order_.renew(count);
   other_order_.renew(count);
   keys_.renew(count);

@@ -11,7 +11,7 @@ class CellGrid {
  public:
   /// Sorts by cell; equal keys keep their order. The permutation: new place k holds old point
   /// `order()[k]`.
-  void sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count);
+  void sort(const GridMap& map, const PointView& points, std::uint32_t count);
 
   const Array<std::uint32_t>& order() const { return order_; }
   /// Brings one number per point into the new order, once.

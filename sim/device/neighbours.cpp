@@ -12,7 +12,7 @@ struct Candidates {
   const std::uint32_t* cell_of;              ///< of each point
   const std::uint32_t *run_begin, *run_end;  ///< row by row, one per cell
   std::uint32_t cell_count;
-  Vec3Arrays others;
+  PointView others;
   float squared_radius;  ///< m²
 
   /// f(j) for those that are closer to point i, at p, than the radius.
@@ -53,9 +53,9 @@ Candidates find_candidates(const GridMap& map, const CellGridView& grid,
 }  // namespace
 
 /// Lists are counted, then written: the search is done twice, and no memory is guessed.
-void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Vec3Arrays& points,
-                           std::uint32_t count, const CellGrid& other_grid,
-                           const Vec3Arrays& others, std::uint32_t, float radius) {
+void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const PointView& points,
+                           std::uint32_t count, const CellGrid& other_grid, const PointView& others,
+                           std::uint32_t, float radius) {
   cell_of_.renew(count);
   run_begin_.renew(std::size_t{grid.cell_count()} * 9);
   run_end_.renew(std::size_t{grid.cell_count()} * 9);

@@ -73,9 +73,9 @@ class NeighbourLists {
   /// Lists, for each of the `count` sorted points of `grid`, the points of `other_grid` within
   /// `radius`, which is at most the cell size of `map`. Where both are the same set, a point is its
   /// own neighbour.
-  void build(const GridMap& map, const CellGrid& grid, const Vec3Arrays& points,
-             std::uint32_t count, const CellGrid& other_grid, const Vec3Arrays& others,
-             std::uint32_t other_count, float radius);
+  void build(const GridMap& map, const CellGrid& grid, const PointView& points, std::uint32_t count,
+             const CellGrid& other_grid, const PointView& others, std::uint32_t other_count,
+             float radius);
 
   NeighbourView view() const { return {counts_.data(), begins_.data(), numbers_.data()}; }
   std::size_t memory_bytes() const;

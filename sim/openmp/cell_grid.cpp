@@ -54,7 +54,7 @@ void radix_pass(std::uint32_t n, PointAt point_at, KeyOf key_of, int shift,
 
 }  // namespace
 
-void CellGrid::sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count) {
+void CellGrid::sort(const GridMap& map, const PointView& points, std::uint32_t count) {
   order_.resize(count);
   scratch_.resize(count);
   const auto key_of = [&](std::uint32_t point) { return map.key(points[point]); };

@@ -14,7 +14,7 @@ class CellGrid {
  public:
   /// Sorts by cell; equal keys keep their order. Returns the permutation: new place k holds old
   /// point `order()[k]`.
-  void sort(const GridMap& map, const Vec3Arrays& points, std::uint32_t count);
+  void sort(const GridMap& map, const PointView& points, std::uint32_t count);
 
   const std::vector<std::uint32_t>& order() const { return order_; }
   /// Brings one number per point into the new order, once.

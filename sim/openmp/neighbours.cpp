@@ -24,60 +24,119 @@ constexpr auto packed_lanes = [] {
 }();
 #endif
 
-/// Writes first + k for every set bit k of the mask; returns the end of what was written. May write
-/// up to eight indices beyond that end.
-inline std::uint32_t* append(std::uint32_t* out, std::uint32_t first, unsigned mask) {
+/// Moves the lanes of the mask's set bits to the front and writes all eight; returns how many they
+/// are.
+template <class Numbers>
+inline std::uint32_t write_chosen(void* out, Numbers lanes, unsigned mask) {
 #ifdef __AVX2__
-  __m256i lanes;
-  __builtin_memcpy(&lanes, packed_lanes[mask].data(), sizeof lanes);
-  const __m256i indices = _mm256_add_epi32(lanes, _mm256_set1_epi32(static_cast<int>(first)));
-  __builtin_memcpy(out, &indices, sizeof indices);
-  return out + std::popcount(mask);
+  __m256i order;
+  __builtin_memcpy(&order, packed_lanes[mask].data(), sizeof order);
+  const __m256i chosen = _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(lanes), order);
+  __builtin_memcpy(out, &chosen, sizeof chosen);
 #else
-  for (; mask != 0; mask &= mask - 1)
-    *out++ = first + static_cast<unsigned>(std::countr_zero(mask));
-  return out;
+  auto* place = static_cast<char*>(out);
+  for (unsigned left = mask; left != 0; left &= left - 1, place += sizeof lanes[0]) {
+    const auto number = lanes[std::countr_zero(left)];
+    __builtin_memcpy(place, &number, sizeof number);
+  }
 #endif
+  return static_cast<std::uint32_t>(std::popcount(mask));
 }
 
-inline unsigned closer_than(const Vec3<float>& p, const Vec3Arrays& others, std::uint32_t first,
-                            float squared_radius) {
-  Lanes x, y, z;
-  __builtin_memcpy(&x, others.x + first, sizeof x);
-  __builtin_memcpy(&y, others.y + first, sizeof y);
-  __builtin_memcpy(&z, others.z + first, sizeof z);
-  const Vec3<Lanes> d{p.x - x, p.y - y, p.z - z};
-  const IndexLanes near = dot(d, d) < squared_radius;
+inline unsigned bits_of(IndexLanes chosen) {
 #ifdef __AVX2__
-  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(near)));
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(chosen)));
 #else
   unsigned mask = 0;
   for (int k = 0; k < lane_count; ++k)
-    mask |= near[k] ? 1u << k : 0u;
+    mask |= chosen[k] ? 1u << k : 0u;
   return mask;
 #endif
 }
 
-/// All points of the runs closer to p than the radius, padded with the sentinel to whole batches,
-/// after their number.
-std::uint32_t* list_of(const Vec3<float>& p, const std::array<RowCursors::Run, 9>& runs,
-                       const Vec3Arrays& others, std::uint32_t sentinel, float squared_radius,
-                       std::uint32_t* const list) {
-  std::uint32_t* const begin = list + 1;
-  std::uint32_t* out = begin;
-  for (const auto& run : runs) {
-    for (std::uint32_t j = run.begin; j < run.end; j += lane_count) {
-      unsigned mask = closer_than(p, others, j, squared_radius);
-      if (run.end - j < lane_count)
-        mask &= (1u << (run.end - j)) - 1;
-      out = append(out, j, mask);
+/// Smallest box around some points.
+struct Bounds {
+  Vec3<float> min, max;
+
+  Bounds(const PointView& points, std::uint32_t begin, std::uint32_t end)
+      : min(points[begin]), max(min) {
+    for (std::uint32_t i = begin + 1; i < end; ++i) {
+      const Vec3<float> p = points[i];
+      min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+      max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
     }
   }
-  while ((out - begin) % lane_count != 0)
-    *out++ = sentinel;
-  *list = static_cast<std::uint32_t>((out - begin) / lane_count);
-  return out;
-}
+
+  Lanes squared_distance(const LaneRows& p) const {
+    const Vec3<Lanes> d{outside(p.x, min.x, max.x), outside(p.y, min.y, max.y),
+                        outside(p.z, min.z, max.z)};
+    return dot(d, d);
+  }
+
+ private:
+  static Lanes outside(Lanes x, float low, float high) {
+    const Lanes below = low - x, above = x - high, out = below > above ? below : above;
+    return out > 0.f ? out : 0.f * x;
+  }
+};
+
+/// The points that may be near those of one cell, side by side. They are loaded once for all of the
+/// cell's points, which are about nine, and those that are too far from all of them are left out.
+class Candidates {
+ public:
+  void find(const Bounds& bounds, const std::array<RowCursors::Run, 9>& runs,
+            const PointView& others, float squared_radius) {
+    constexpr IndexLanes lane{0, 1, 2, 3, 4, 5, 6, 7};
+    std::size_t most = 2 * lane_count;
+    for (const auto& run : runs)
+      most += run.end - run.begin;
+    if (most > index_.size())
+      for (auto* values : {&x_, &y_, &z_})
+        values->resize(2 * most);
+    index_.resize(x_.size());
+    count_ = 0;
+    for (const auto& run : runs)
+      for (std::uint32_t j = run.begin; j < run.end; j += lane_count) {
+        const LaneRows p = load(others.rows, LaneRun{j});
+        const auto first = static_cast<std::int32_t>(j);
+        // A little farther, for what rounding does to the box's distance.
+        const unsigned mask = bits_of((bounds.squared_distance(p) < 1.00001f * squared_radius) &
+                                      (lane < static_cast<std::int32_t>(run.end - j)));
+        write_chosen(&x_[count_], p.x, mask);
+        write_chosen(&y_[count_], p.y, mask);
+        write_chosen(&z_[count_], p.z, mask);
+        count_ += write_chosen(&index_[count_], lane + first, mask);
+      }
+    for (std::uint32_t k = count_; k < count_ + lane_count; ++k)
+      x_[k] = sentinel_position;
+  }
+
+  std::uint32_t count() const { return count_; }
+
+  /// All closer to p than the radius, padded with the sentinel to whole batches, after the number
+  /// of those batches. Returns the list's end.
+  std::uint32_t* list(const Vec3<float>& p, float squared_radius, std::uint32_t sentinel,
+                      std::uint32_t* const list) const {
+    std::uint32_t* const begin = list + 1;
+    std::uint32_t* out = begin;
+    for (std::uint32_t k = 0; k < count_; k += lane_count) {
+      const Vec3<Lanes> d{p.x - consecutive(&x_[k]), p.y - consecutive(&y_[k]),
+                          p.z - consecutive(&z_[k])};
+      IndexLanes index;
+      __builtin_memcpy(&index, &index_[k], sizeof index);
+      out += write_chosen(out, index, bits_of(dot(d, d) < squared_radius));
+    }
+    while ((out - begin) % lane_count != 0)
+      *out++ = sentinel;
+    *list = static_cast<std::uint32_t>((out - begin) / lane_count);
+    return out;
+  }
+
+ private:
+  std::vector<float> x_, y_, z_;
+  std::vector<std::uint32_t> index_;
+  std::uint32_t count_ = 0;
+};
 
 constexpr std::uint32_t empty_list = 0;
 
@@ -130,9 +189,9 @@ class NeighbourLists::Writer {
   std::uint32_t place_ = 0;
 };
 
-void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Vec3Arrays& points,
-                           std::uint32_t count, const CellGrid& other_grid,
-                           const Vec3Arrays& others, std::uint32_t other_count, float radius) {
+void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const PointView& points,
+                           std::uint32_t count, const CellGrid& other_grid, const PointView& others,
+                           std::uint32_t other_count, float radius) {
   place_.resize(count);
   table_.assign(1, &empty_list);
   large_.clear();
@@ -142,23 +201,18 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Vec3A
 #pragma omp parallel
   {
     Writer writer(*this);
+    Candidates candidates;
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t b = 0; b < blocks; ++b) {
       RowCursors cursors(map, other_grid.view());
       const std::size_t last_cell = std::min(cells, (b + 1) * cells_per_block);
       for (auto c = static_cast<std::uint32_t>(b * cells_per_block); c < last_cell; ++c) {
-        const auto& runs = cursors.around(grid.cell_key(c));
-        std::size_t candidates = 0;
-        for (const auto& run : runs)
-          candidates += run.end - run.begin;
-        for (std::uint32_t i = grid.cell_begin(c); i < grid.cell_begin(c + 1); ++i) {
-          if (candidates == 0) {
-            place_[i] = 0;
-            continue;
-          }
-          std::uint32_t* const room = writer.room(candidates + 2 * lane_count + 1);
-          place_[i] =
-              writer.keep(list_of(points[i], runs, others, other_count, radius * radius, room));
+        const std::uint32_t begin = grid.cell_begin(c), end = grid.cell_begin(c + 1);
+        candidates.find(Bounds(points, begin, end), cursors.around(grid.cell_key(c)), others,
+                        radius * radius);
+        for (std::uint32_t i = begin; i < end; ++i) {
+          std::uint32_t* const room = writer.room(candidates.count() + 2 * lane_count + 1);
+          place_[i] = writer.keep(candidates.list(points[i], radius * radius, other_count, room));
         }
       }
     }

@@ -42,17 +42,14 @@ struct NeighbourView {
       f(*j);
   }
 
-  /// Σⱼ f(j) over the neighbours j of particle i; f takes eight indices and returns Lanes or
-  /// Vec3<Lanes>.
+  /// Σⱼ f(j) over the neighbours j of particle i; f takes eight of them and returns Lanes
+  /// or Vec3<Lanes>.
   template <class F>
   auto sum(std::uint32_t i, F f) const {
-    decltype(f(IndexLanes{})) total{};
+    decltype(f(LaneList{})) total{};
     const std::uint32_t* j = list(i);
-    for (std::uint32_t b = *j++; b > 0; --b, j += lane_count) {
-      IndexLanes lanes;
-      __builtin_memcpy(&lanes, j, sizeof lanes);
-      total += f(lanes);
-    }
+    for (std::uint32_t b = *j++; b > 0; --b, j += lane_count)
+      total += f(LaneList{j});
     return reduce(total);
   }
 };
@@ -93,9 +90,9 @@ class NeighbourLists {
   /// own neighbour. `others` holds one more point than `other_count`, the sentinel, and room for a
   /// whole batch after it.
   /// @throws std::length_error when there are more than four billion neighbours in all
-  void build(const GridMap& map, const CellGrid& grid, const Vec3Arrays& points,
-             std::uint32_t count, const CellGrid& other_grid, const Vec3Arrays& others,
-             std::uint32_t other_count, float radius);
+  void build(const GridMap& map, const CellGrid& grid, const PointView& points, std::uint32_t count,
+             const CellGrid& other_grid, const PointView& others, std::uint32_t other_count,
+             float radius);
 
   NeighbourView view() const { return {place_.data(), table_.data()}; }
   std::size_t memory_bytes() const;

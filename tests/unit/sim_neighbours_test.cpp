@@ -23,8 +23,8 @@ struct Searched {
 /// radius.
 Searched search(const Points& points, const Points& others, float radius, Points& sorted_others) {
   const GridMap map = GridMap::over({-1, -1, -1}, {1, 1, 1}, radius);
-  const auto sorted = [&](const Points& set, CellGrid& grid, VectorField& field) {
-    VectorField unsorted;
+  const auto sorted = [&](const Points& set, CellGrid& grid, PointField& field) {
+    PointField unsorted;
     const auto n = static_cast<std::uint32_t>(set.size());
     unsorted.resize(n);
     for (std::uint32_t i = 0; i < n; ++i)
@@ -40,7 +40,7 @@ Searched search(const Points& points, const Points& others, float radius, Points
     return result;
   };
   CellGrid grid, other_grid;
-  VectorField field, other_field;
+  PointField field, other_field;
   Searched result;
   result.sorted = sorted(points, grid, field);
   sorted_others = sorted(others, other_grid, other_field);
@@ -134,7 +134,7 @@ TEST_CASE("the order and the lists are the same for one, two and four threads") 
 TEST_CASE("cells around a cell are those whose keys say so") {
   const GridMap map = GridMap::over({-1, -1, -1}, {1, 1, 1}, 0.2f);
   Points points = random_points(300, 0.9f, 7);
-  VectorField field;
+  PointField field;
   const auto n = static_cast<std::uint32_t>(points.size());
   field.resize(n);
   for (std::uint32_t i = 0; i < n; ++i)
@@ -165,7 +165,7 @@ TEST_CASE("cells around a cell are those whose keys say so") {
 TEST_CASE("weights of the cells around a cell are applied as they stand") {
   const GridMap map = GridMap::over({-1, -1, -1}, {1, 1, 1}, 0.2f);
   const Points points = random_points(300, 0.9f, 9);
-  VectorField field;
+  PointField field;
   field.resize(300);
   for (std::uint32_t i = 0; i < 300; ++i)
     field.view().set(i, points[i]);

@@ -97,7 +97,7 @@ TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta
   std::vector<Wall> walls;
   for (std::uint32_t b = 0; b < boundary.count(); ++b) {
     const Vec3<float> p = boundary.positions()[b];
-    walls.push_back({{p.x, p.y, p.z}, (1 - free_part) * boundary.volumes()[b] / constants.volume});
+    walls.push_back({{p.x, p.y, p.z}, (1 - free_part) * boundary.volume(b) / constants.volume});
   }
   SurfaceTension(constants).apply({.executor = executor,
                                    .particles = particles,
