@@ -22,6 +22,9 @@ constexpr float relaxation = 0.45f;
 /// much of it at most, in tolerances of the largest compression.
 constexpr float eased = 0.6f, most_eased = 0.15f;
 
+/// Parts of the tolerances below which liquid without any pressure falls freely.
+constexpr float nothing_in_all = 1e-3f, nothing_anywhere = 1e-2f;
+
 /// A step in which pressure moves any particle further than this many spacings has left the
 /// neighbourhood it was computed in, and is repeated smaller.
 constexpr float largest_correction = 0.4f;
@@ -72,8 +75,11 @@ class Pcisph : public PressureSolver {
       if (!(move <= largest_move))
         return {.accepted = false, .iterations = iteration};
       const Residual residual = predict_density(s, delta);
-      if (iteration >= settings_.min_iterations && converged(residual, s))
+      const bool falls_freely = move == 0 && is_nothing(residual, s);
+      if ((falls_freely || iteration >= settings_.min_iterations) && converged(residual, s)) {
+        eases_ = !falls_freely && iteration <= std::max(2, settings_.min_iterations);
         return {true, iteration, s.time_step / s.kick};
+      }
       if (iteration == settings_.max_iterations)
         return {.accepted = false, .iterations = iteration};
       note_residual(s, delta);
@@ -84,7 +90,11 @@ class Pcisph : public PressureSolver {
     }
   }
 
+  /// Where the iteration had to go on, the liquid is thrown about so much that easing, a pass of
+  /// each kind, buys nothing.
   void ease(const StepContext& s) override {
+    if (!eases_)
+      return;
     Particles& p = s.particles;
     const float delta = stiffness(s), most = most_eased * settings_.max_compression;
     const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data(),
@@ -135,6 +145,12 @@ class Pcisph : public PressureSolver {
     return residual.largest <= lenience * settings_.max_compression &&
            residual.compression <= std::max(mean, s.leftover) &&
            residual.error <= 2 * mean * s.rate;
+  }
+
+  bool is_nothing(const Residual& residual, const StepContext& s) const {
+    return residual.largest <= nothing_anywhere * settings_.max_compression &&
+           residual.error <=
+               nothing_in_all * double{settings_.mean_compression} * s.particles.count;
   }
 
   /// A part of the last step's pressure. The pressure that is kept is the mean over the time
@@ -333,6 +349,7 @@ class Pcisph : public PressureSolver {
   double gradient_product_;  ///< Σ ∇W·∇W over a full lattice, 1/m⁸
   CoarsePressure coarse_;
   AndersonAcceleration acceleration_;
+  bool eases_ = false;           ///< whether the last step has left over what is worth it
   ScalarField wet_compression_;  ///< of the wet boundary samples, this iteration
 };
 

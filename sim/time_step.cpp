@@ -38,7 +38,9 @@ double TimeStepControl::next(double remaining, double max_speed, double accelera
   if (last_ > 0)
     limit = std::min(limit, growth * last_);
   limit = std::max(limit, double{settings_.min_time_step});
-  return remaining / std::ceil(remaining / limit * (1 - 1e-9));
+  // 5 ms in single precision are a little less, and must divide 20 ms by four all the same.
+  constexpr double rounding = 1e-6;
+  return remaining / std::ceil(remaining / limit * (1 - rounding));
 }
 
 void TimeStepControl::accepted(double time_step) {

@@ -46,7 +46,8 @@ TEST_CASE("the front of a dam break runs on without turning back, and arrives at
     simulation.advance_to(k / 30.);
     const double front = front_position(simulation.frame(), s.fluid.spacing, Direction::plus_x);
     CAPTURE(k, last);
-    CHECK(front > last - 0.1 * double{s.fluid.spacing});
+    // What hits the wall is pressed against it, and springs back.
+    CHECK(front > std::min(last, 1.6) - 0.1 * double{s.fluid.spacing});
     last = front;
   }
   CHECK(last == Approx(1.6).margin(0.5 * double{s.fluid.spacing}));
