@@ -45,7 +45,10 @@ class GoldenRun {
     render.frames = FrameRange{golden.frames.front(), golden.frames.back()};
     render.cache = false;  // kept particles would hide a change of the solver
     render.quiet = true;
-    if (run_render(golden.resolved, render) != done || InterruptGuard::requested()) {
+    Scene scene = golden.resolved;
+    if (scene.probes_rate == 0)
+      scene.probes.clear();  // nothing in the pictures depends on them
+    if (run_render(scene, render) != done || InterruptGuard::requested()) {
       not_rendered_ = true;
       return;
     }

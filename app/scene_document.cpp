@@ -193,12 +193,36 @@ SceneDocument::SceneDocument(std::string_view text, std::string source)
                   Json::input_format_t::json, true, true);
 }
 
+namespace {
+
+/// A key of one of the scene's sections, if it was typed without the section's name; else nothing.
+std::string with_section(const std::string& key, const Json& defaults) {
+  for (const auto& [section, values] : defaults.items()) {
+    if (!defaults.contains(key) && values.is_object() && values.contains(key)) {
+      return child_path(section, key);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string key_of(const std::string& assignment) {
+  const std::string key = assignment.substr(0, assignment.find('='));
+  const auto begin = key.find_first_not_of(' ');
+  return begin == std::string::npos ? "" : key.substr(begin, key.find_last_not_of(' ') + 1 - begin);
+}
+
 void SceneDocument::override_value(const std::string& assignment, const Json& defaults) {
   const std::string place = "--set " + assignment;
   const auto equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) {
+  const std::string key = key_of(assignment);
+  if (equals == std::string::npos || key.empty()) {
     throw SceneError(
         fmt::format("{}: expected KEY=VALUE, as in --set fluid.viscosity=0.05", place));
+  }
+  if (const std::string full = with_section(key, defaults); !full.empty()) {
+    throw SceneError(fmt::format("{}: {}: unknown key; did you mean \"{}\"?", place, key, full));
   }
   const std::string typed = assignment.substr(equals + 1);
   Json value = Json::parse(typed, nullptr, false);
@@ -209,7 +233,7 @@ void SceneDocument::override_value(const std::string& assignment, const Json& de
   Json* at = &root_;
   const Json* fallback = &defaults;  // the same place in the defaults, or none
   std::string path;
-  for (const std::string& part : split_key(assignment.substr(0, equals))) {
+  for (const std::string& part : split_key(key)) {
     if (part.empty()) {
       throw SceneError(fmt::format("{}: a name is missing in the key", place));
     }

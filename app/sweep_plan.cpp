@@ -229,7 +229,7 @@ SweepAxis parse_sweep_axis(const std::string& assignment) {
   if (equals == std::string::npos)
     throw SceneError(fmt::format(
         "{}: expected KEY=VALUE,VALUE,..., as in --set fluid.viscosity=0.01,0.1", place));
-  const std::string key = assignment.substr(0, equals);
+  const std::string key = key_of(assignment);
   SweepAxis axis;
   std::string typed;
   int depth = 0;
