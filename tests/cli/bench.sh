@@ -86,6 +86,7 @@ bench "$folder/drop.json" --limit 0.01 --solver sph --set video.duration=100 --s
 code=$?
 ((code == 3)) || fail "a benchmark without any result returned $code"
 grep -q "not done within 0.01 s" "$folder/err" || fail "it did not say why there is no result"
+grep -q "gnuplot" "$folder/err" && fail "it complained that there is nothing to plot"
 
 # Ctrl-C ends the run and leaves those done before.
 "$program" bench "$folder/drop.json" --spacing 1 --set video.duration=100 -o "$folder/interrupted" \
