@@ -207,16 +207,16 @@ std::string with_section(const std::string& key, const Json& defaults) {
 
 }  // namespace
 
-std::string key_of(const std::string& assignment) {
-  const std::string key = assignment.substr(0, assignment.find('='));
-  const auto begin = key.find_first_not_of(' ');
-  return begin == std::string::npos ? "" : key.substr(begin, key.find_last_not_of(' ') + 1 - begin);
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(' ');
+  return begin == std::string::npos ? ""
+                                    : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
 }
 
 void SceneDocument::override_value(const std::string& assignment, const Json& defaults) {
   const std::string place = "--set " + assignment;
   const auto equals = assignment.find('=');
-  const std::string key = key_of(assignment);
+  const std::string key = trimmed(assignment.substr(0, equals));
   if (equals == std::string::npos || key.empty()) {
     throw SceneError(
         fmt::format("{}: expected KEY=VALUE, as in --set fluid.viscosity=0.05", place));
@@ -224,7 +224,7 @@ void SceneDocument::override_value(const std::string& assignment, const Json& de
   if (const std::string full = with_section(key, defaults); !full.empty()) {
     throw SceneError(fmt::format("{}: {}: unknown key; did you mean \"{}\"?", place, key, full));
   }
-  const std::string typed = assignment.substr(equals + 1);
+  const std::string typed = trimmed(assignment.substr(equals + 1));
   Json value = Json::parse(typed, nullptr, false);
   if (value.is_discarded()) {
     value = typed;

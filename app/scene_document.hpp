@@ -39,7 +39,7 @@ class SceneDocument {
 std::string child_path(std::string_view parent, std::string_view key);
 std::string child_path(std::string_view parent, std::size_t index);
 
-/// What stands before the equals sign of KEY=VALUE, without spaces around it.
-std::string key_of(const std::string& assignment);
+/// Without spaces at its ends.
+std::string trimmed(const std::string& text);
 
 }  // namespace spindrift::app
