@@ -116,15 +116,15 @@ void simulate_once(const BenchRun& run, Measurement& m) {
 }
 
 nlohmann::ordered_json run_to_json(const BenchRun& run) {
-  return {{"scene", to_json(run.scene)},
-          {"threads", run.threads},
-          {"warm_up_frames", run.warm_up_frames},
-          {"repetitions", run.repetitions},
-          {"limit_seconds", run.limit_seconds}};
+  return {{"scene", to_json(run.scene)},    {"scene_file", run.scene_file.string()},
+          {"threads", run.threads},         {"warm_up_frames", run.warm_up_frames},
+          {"repetitions", run.repetitions}, {"limit_seconds", run.limit_seconds}};
 }
 
 BenchRun run_from_json(const nlohmann::ordered_json& json) {
-  return {.scene = parse_scene(json.at("scene").dump(), "bench"),
+  const std::filesystem::path file = json.at("scene_file").get<std::string>();
+  return {.scene = parse_scene(json.at("scene").dump(), file),
+          .scene_file = file,
           .threads = json.at("threads"),
           .warm_up_frames = json.at("warm_up_frames"),
           .repetitions = json.at("repetitions"),

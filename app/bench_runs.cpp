@@ -14,8 +14,10 @@
 namespace spindrift::app {
 namespace {
 
+constexpr const char* built_in_file = "dam_break.json";
+
 Scene built_in_scene(const Overrides& overrides) {
-  return parse_scene(bench_scene_text, "dam_break.json", overrides);
+  return parse_scene(bench_scene_text, built_in_file, overrides);
 }
 
 /// `--set KEY=VALUE` for a scene's value times a factor; six digits, so that 1.25 times 0.03 is
@@ -50,7 +52,8 @@ std::vector<Overrides> tolerances(const sim::SolverSettings& solver,
 
 /// Every combination of a scene's solvers, spacings, tolerances and steps.
 template <class Read>
-void add_plane(const BenchPlan& plan, const Read& read, std::vector<BenchRun>& runs) {
+void add_plane(const BenchPlan& plan, const std::filesystem::path& file, const Read& read,
+               std::vector<BenchRun>& runs) {
   for (const double spacing : plan.spacing_factors)
     for (const sim::SolverType solver : plan.solvers) {
       const auto name = value_names<sim::SolverType>[static_cast<std::size_t>(solver)];
@@ -62,8 +65,10 @@ void add_plane(const BenchPlan& plan, const Read& read, std::vector<BenchRun>& r
                                scaled("solver.cfl", base.solver.cfl, step),
                                scaled("solver.max_time_step", base.solver.max_time_step, step)};
           const Overrides all = with(with(with(plan.overrides, type), tolerance), rest);
-          runs.push_back(
-              {.scene = read(all), .threads = plan.threads, .limit_seconds = plan.limit_seconds});
+          runs.push_back({.scene = read(all),
+                          .scene_file = file,
+                          .threads = plan.threads,
+                          .limit_seconds = plan.limit_seconds});
         }
     }
 }
@@ -83,8 +88,11 @@ sim::Shape placed(const sim::Shape& shape, const Tile& tile) {
   }
   if (const auto* sphere = std::get_if<sim::Sphere>(&shape))
     return sim::Sphere{tile(sphere->center), sphere->radius};
-  const auto& cylinder = std::get<sim::Cylinder>(shape);
-  return sim::Cylinder{tile(cylinder.from), tile(cylinder.to), cylinder.radius};
+  if (const auto* cylinder = std::get_if<sim::Cylinder>(&shape))
+    return sim::Cylinder{tile(cylinder->from), tile(cylinder->to), cylinder->radius};
+  if (const auto* capsule = std::get_if<sim::Capsule>(&shape))
+    return sim::Capsule{tile(capsule->from), tile(capsule->to), capsule->radius};
+  throw SceneError("scaling runs repeat their scene side by side; meshes can't be repeated");
 }
 
 sim::Obstacle placed(const sim::Obstacle& obstacle, const Tile& tile) {
@@ -127,6 +135,7 @@ BenchRun scaling_run(const BenchPlan& plan, const Scene& tile, int particles, in
   constexpr double enough_particles = 100e3;
   const double all = static_cast<double>(count) * tile_particles;
   return {.scene = tiled(tile, static_cast<int>(count)),
+          .scene_file = built_in_file,
           .threads = threads,
           .warm_up_frames = 1,
           .repetitions = static_cast<int>(std::clamp(std::lround(enough_particles / all), 1L, 10L)),
@@ -157,11 +166,11 @@ BenchPlan default_plan(bool quick) {
 std::vector<BenchRun> planned_runs(const BenchPlan& plan) {
   std::vector<BenchRun> runs;
   if (plan.plane && plan.scenes.empty())
-    add_plane(plan, built_in_scene, runs);
+    add_plane(plan, built_in_file, built_in_scene, runs);
   if (plan.plane)
     for (const auto& file : plan.scenes)
       add_plane(
-          plan, [&](const Overrides& all) { return read_scene(file, all); }, runs);
+          plan, file, [&](const Overrides& all) { return read_scene(file, all); }, runs);
   if (!plan.particle_scaling && !plan.thread_scaling)
     return runs;
   const Scene tile = scaling_scene(plan);

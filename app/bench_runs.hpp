@@ -16,6 +16,7 @@ enum class BenchSeries { plane, particles, threads };
 struct BenchRun {
   BenchSeries series = BenchSeries::plane;
   Scene scene;
+  std::filesystem::path scene_file = {};  ///< from whose folder the paths of meshes start
   int threads = 1;
   int warm_up_frames = 0;      ///< simulated before the measurement begins
   int repetitions = 1;         ///< of the whole simulation; their times and steps are added up

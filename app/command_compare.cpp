@@ -78,7 +78,13 @@ void show_worst(std::vector<ComparedPair>& pairs, const Picture& p, const Pictur
 
 ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptions& options) {
   const fs::path differences = options.output / "differences";
+  for (const PictureSource* source : {&a, &b})
+    if (fs::exists(differences) && fs::equivalent(source->path(), differences))
+      throw InputError(fmt::format(
+          "{}: the differences would take the place of these pictures; give another folder by -o",
+          source->path().string()));
   fs::create_directories(differences);
+  remove_pictures(differences);
   ComparisonReport comparison{.title = "Spindrift comparison",
                               .a = a.path().string(),
                               .b = b.path().string(),

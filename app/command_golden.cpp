@@ -40,12 +40,18 @@ class GoldenRun {
 
   void run(const Golden& golden) {
     const fs::path folder = options_.output / golden.name;
+    remove_pictures(folder / "reference");
+    remove_pictures(folder / "difference");
     RenderOptions render;
     render.output = folder;
     render.frames = FrameRange{golden.frames.front(), golden.frames.back()};
     render.cache = false;  // kept particles would hide a change of the solver
     render.quiet = true;
-    if (run_render(golden.resolved, render) != done || InterruptGuard::requested()) {
+    Scene scene = golden.resolved;
+    if (scene.probes_rate == 0)
+      scene.probes.clear();  // nothing in the pictures depends on them
+    if (run_render(scene, render) != done || InterruptGuard::requested()) {
+      report_.not_compared.push_back(fmt::format("{}: it could not be rendered", golden.name));
       not_rendered_ = true;
       return;
     }
@@ -64,6 +70,10 @@ class GoldenRun {
     if (options_.action == GoldenAction::check) {
       write_comparison(report_, options_.output, "golden");
       print();
+    } else {
+      if (options_.json)
+        fmt::print("{}\n", nlohmann::ordered_json{{"references", updated_}}.dump(1));
+      fmt::print(stderr, "{}", broken_text(report_));
     }
     return not_rendered_ ? run_failed : report_.passes() ? done : check_failed;
   }
@@ -130,8 +140,9 @@ class GoldenRun {
                     file.string(), reason, options_.list.string(), options_.output.string()));
   }
 
-  void say(const fs::path& file, const char* what) const {
-    if (!options_.quiet)
+  void say(const fs::path& file, const char* what) {
+    updated_.push_back({{"file", file.string()}, {"result", what}});
+    if (!options_.quiet && !options_.json)
       fmt::print("{:<10} {}\n", what, file.string());
   }
 
@@ -150,12 +161,17 @@ class GoldenRun {
   const GoldenList& list_;
   fs::path references_;
   ComparisonReport report_;
+  nlohmann::ordered_json updated_ = nlohmann::ordered_json::array();
   bool not_rendered_ = false;
 };
 
 }  // namespace
 
 int run_golden(const GoldenOptions& options) {
+  if (options.action == GoldenAction::update && !options.overrides.empty())
+    throw InputError(
+        "--set is for `golden check`; values that references are to have belong in the list, as "
+        "\"set\" of a golden test");
   const GoldenList list = read_golden_list(options.list, options.overrides);
   require_names(options.only, list);
   GoldenRun run(options, list);

@@ -91,6 +91,10 @@ Json write_results(const SweepPlan& plan, const SweepFolder& folder,
   return json;
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 int tell_failures(const SweepPlan& plan, const SweepDone& done_now) {
   int code = done;
   for (std::size_t i = 0; i < plan.runs.size(); ++i)
@@ -135,8 +139,8 @@ int run_sweep(const SweepRequest& request, const SweepOptions& options) {
     fmt::print("{}\n", json.dump(1));
   } else if (!options.quiet) {
     print_runs(plan, results);
-    fmt::print("{} simulations, {} videos and {} comparisons were made now\n", done_now.simulated,
-               done_now.drawn, done_now.compared);
+    fmt::print("{}, {} and {} made now\n", counted(done_now.simulated, "simulation"),
+               counted(done_now.drawn, "video"), counted(done_now.compared, "comparison"));
     fmt::print("{}\n", (folder.root() / "report.html").string());
   }
   std::fflush(stdout);

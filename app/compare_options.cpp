@@ -61,7 +61,7 @@ void add_golden_options(CLI::App& command, GoldenOptions& options) {
       ->take_all();
   command
       .add_option("--set", options.overrides,
-                  "Set a value of every scene, to see whether the change is noticed")
+                  "With check: set a value of every scene, to see whether the change is noticed")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->take_all();

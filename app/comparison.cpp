@@ -111,6 +111,17 @@ std::string broken_text(const ComparisonReport& comparison) {
   return text;
 }
 
+void remove_pictures(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder))
+    return;
+  std::vector<std::filesystem::path> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().extension() == ".png")
+      pictures.push_back(entry.path());
+  for (const std::filesystem::path& picture : pictures)
+    std::filesystem::remove(picture);
+}
+
 void write_comparison(const ComparisonReport& comparison, const std::filesystem::path& folder,
                       const std::string& name) {
   output::write_file(folder / (name + ".json"), comparison_json(comparison).dump(1) + "\n");

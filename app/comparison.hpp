@@ -70,6 +70,9 @@ std::string broken_text(const ComparisonReport& comparison);
 std::string comparison_html(const ComparisonReport& comparison,
                             const std::function<std::string(const Plot&)>& draw);
 
+/// Removes the PNG files of a folder, if there is one: what an earlier comparison left.
+void remove_pictures(const std::filesystem::path& folder);
+
 /// Writes `name`.json and `name`.html into the folder.
 void write_comparison(const ComparisonReport& comparison, const std::filesystem::path& folder,
                       const std::string& name);

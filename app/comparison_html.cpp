@@ -43,11 +43,13 @@ figcaption { font-size: 13px; color: #555; }
 /// Every figure to blink shows the other picture of its pair twice a second.
 constexpr const char* blink = R"(<script>
 let odd = false;
-setInterval(() => {
-  odd = !odd;
+const show = () => {
   for (const pair of document.querySelectorAll(".pair"))
     pair.querySelector(".blink").src = pair.querySelector(odd ? ".b" : ".a").src;
-}, 500);
+  odd = !odd;
+};
+show();
+setInterval(show, 500);
 </script>
 )";
 
@@ -126,9 +128,10 @@ std::string comparison_html(const ComparisonReport& comparison,
   const std::size_t count = comparison.pairs.size(), broken = comparison.broken_pairs();
   std::string html = html_head(comparison.title) + style;
   html += fmt::format("<p>{} and {}</p>\n", html_escaped(comparison.a), html_escaped(comparison.b));
-  html += broken == 0 ? fmt::format("<p>{} pairs, none beyond a limit.</p>\n", count)
-                      : fmt::format("<p class=\"beyond\">{} of {} pairs beyond a limit.</p>\n",
-                                    broken, count);
+  if (broken > 0)
+    html += fmt::format("<p class=\"beyond\">{} of {} pairs beyond a limit.</p>\n", broken, count);
+  else if (count > 0)
+    html += fmt::format("<p>{} pair{}, none beyond a limit.</p>\n", count, count == 1 ? "" : "s");
   for (const std::string& sentence : comparison.not_compared)
     html += fmt::format("<p class=\"beyond\">{}</p>\n", html_escaped(sentence));
   for (const std::string& note : comparison.notes)

@@ -30,9 +30,17 @@ class Completion {
   }
 
  private:
-  [[noreturn]] void fail(std::string_view key, const std::string& message) const {
-    const std::string path = child_path(path_, key);
+  /// A value that the list lays over a scene, as after `--set`, and its own place in the list.
+  struct Assignment {
+    std::string text, path;
+  };
+
+  [[noreturn]] void fail_at(const std::string& path, std::string_view message) const {
     throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
+  }
+
+  [[noreturn]] void fail(std::string_view key, std::string_view message) const {
+    fail_at(child_path(path_, key), message);
   }
 
   void name(std::size_t k) {
@@ -50,14 +58,27 @@ class Completion {
   }
 
   void read(const Overrides& overrides) {
-    Overrides all = golden_->set;
-    all.push_back(fmt::format("video.width={}", golden_->width.value_or(list_.width)));
-    all.push_back(fmt::format("video.height={}", golden_->height.value_or(list_.height)));
+    const auto size = [&](const char* key, std::optional<int> own, int all) {
+      return Assignment{fmt::format("video.{}={}", key, own.value_or(all)),
+                        own ? child_path(path_, key) : key};
+    };
+    std::vector<Assignment> own;
+    for (std::size_t k = 0; k < golden_->set.size(); ++k)
+      own.push_back({golden_->set[k], child_path(child_path(path_, "set"), k)});
+    own.push_back(size("width", golden_->width, list_.width));
+    own.push_back(size("height", golden_->height, list_.height));
+    Overrides all;
+    for (const Assignment& assignment : own)
+      all.push_back(assignment.text);
     all.insert(all.end(), overrides.begin(), overrides.end());
     try {
       golden_->resolved = read_scene(folder_ / golden_->scene, all);
     } catch (const SceneError& error) {
-      fail("scene", error.what());
+      const std::string_view message = error.what();
+      for (const auto& [text, path] : own)
+        if (const auto begin = fmt::format("--set {}: ", text); message.starts_with(begin))
+          fail_at(path, message.substr(begin.size()));
+      fail("scene", message);
     }
     if (const std::string refused = sim::why_refused(golden_->resolved.simulation);
         !refused.empty())
@@ -72,6 +93,9 @@ class Completion {
       if (frame > last)
         fail("frames", fmt::format("{} is beyond the scene's last frame, {}", frame, last));
     std::sort(golden_->frames.begin(), golden_->frames.end());
+    const auto twice = std::adjacent_find(golden_->frames.begin(), golden_->frames.end());
+    if (twice != golden_->frames.end())
+      fail("frames", fmt::format("{} is there twice", *twice));
   }
 
   const SceneDocument& document_;

@@ -12,9 +12,9 @@
 
 #include "app/bounded_queue.hpp"
 #include "app/interrupt.hpp"
-#include "app/obstacle_mesh.hpp"
 #include "app/particle_source.hpp"
 #include "app/progress.hpp"
+#include "app/scene_drawing.hpp"
 #include "render/output/output.hpp"
 
 namespace spindrift::app {
@@ -50,18 +50,6 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::vector<float> attribute_of(const sim::Frame& frame, gl::ColorBy color_by) {
-  if (color_by == gl::ColorBy::density)
-    return frame.densities;
-  if (color_by == gl::ColorBy::pressure)
-    return frame.pressures;
-  std::vector<float> speeds;
-  speeds.reserve(frame.velocities.size());
-  for (const glm::vec3 v : frame.velocities)
-    speeds.push_back(glm::length(v));
-  return speeds;
-}
-
 /// Values in the given order.
 template <class T>
 std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
@@ -90,7 +78,7 @@ void export_particles(const fs::path& file, const sim::Frame& frame, bool with_n
                                                      .numbers = numbers});
 }
 
-/// Particles to picture. Lives in the drawing thread, since a GL context belongs to one thread.
+/// Particles to picture. Lives in the drawing thread.
 class DrawingStage {
  public:
   DrawingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
@@ -99,42 +87,20 @@ class DrawingStage {
         meshing_(record.stage_seconds["mesh"]),
         drawing_(record.stage_seconds["draw"]),
         writing_(record.stage_seconds["export"]),
-        renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
-                  gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}),
-        obstacles_(scene.simulation.obstacles) {
-    record.gl_renderer = renderer_.info().renderer;
-    record.gl_version = renderer_.info().version;
-    std::vector<double> times;  // of all pictures, whichever are wanted now
-    for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)
-      times.push_back(static_cast<double>(k) / scene.video.frames_per_second);
-    reach_ = obstacles_.reach(times);
-    if (!obstacles_.empty())
-      renderer_.set_obstacles(obstacles_.at(0), reach_);
+        scene_drawing_(scene) {
+    record.gl_renderer = scene_drawing_.info().renderer;
+    record.gl_version = scene_drawing_.info().version;
   }
 
   Image draw(const NumberedParticles& particles) {
-    const float aspect =
-        static_cast<float>(scene_.video.width) / static_cast<float>(scene_.video.height);
-    const gl::View view =
-        view_at(scene_.camera, scene_.simulation.domain, aspect, particles.frame.time);
-    const float spacing = scene_.simulation.fluid.spacing;
-    const bool as_mesh = scene_.look.style == gl::Style::mesh;
-    Mesh mesh;
-    if (as_mesh || options_.export_meshes) {
+    Mesh surface;
+    if (scene_drawing_.shows_surface() || options_.export_meshes) {
       const StageTimer timer(meshing_);
-      mesh = surface::reconstruct_surface(particles.frame.positions, spacing, scene_.surface);
+      surface = scene_drawing_.surface_of(particles.frame);
     }
-    export_geometry(particles, mesh);
+    export_geometry(particles, surface);
     const StageTimer timer(drawing_);
-    if (obstacles_.move())
-      renderer_.set_obstacles(obstacles_.at(particles.frame.time), reach_);
-    if (as_mesh)
-      return renderer_.draw(mesh, view);
-    const std::vector<float> attribute = attribute_of(particles.frame, scene_.look.color_by);
-    return renderer_.draw(gl::ParticleCloud{.positions = particles.frame.positions,
-                                            .attribute = attribute,
-                                            .radius = scene_.look.particle_radius * spacing},
-                          view);
+    return scene_drawing_.draw(particles.frame, surface);
   }
 
  private:
@@ -153,9 +119,7 @@ class DrawingStage {
   const Scene& scene_;
   const RenderOptions& options_;
   double &meshing_, &drawing_, &writing_;
-  gl::Renderer renderer_;
-  ObstacleMeshes obstacles_;
-  std::vector<glm::vec3> reach_;  ///< corners of the space that moving obstacles pass through
+  SceneDrawing scene_drawing_;
 };
 
 /// Pictures to files.

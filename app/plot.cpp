@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
@@ -80,6 +81,9 @@ std::string draw_svg(const Plot& plot) {
 }
 
 std::string PlotDrawer::operator()(const Plot& plot) {
+  if (std::all_of(plot.curves.begin(), plot.curves.end(),
+                  [](const Curve& curve) { return curve.points.empty(); }))
+    return "<p>No plot here: there is nothing in it.</p>\n";
   try {
     if (failure_.empty())
       return draw_svg(plot) + "\n";

@@ -193,14 +193,38 @@ SceneDocument::SceneDocument(std::string_view text, std::string source)
                   Json::input_format_t::json, true, true);
 }
 
+namespace {
+
+/// A key of one of the scene's sections, if it was typed without the section's name; else nothing.
+std::string with_section(const std::string& key, const Json& defaults) {
+  for (const auto& [section, values] : defaults.items()) {
+    if (!defaults.contains(key) && values.is_object() && values.contains(key)) {
+      return child_path(section, key);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string trimmed(const std::string& text) {
+  const auto begin = text.find_first_not_of(' ');
+  return begin == std::string::npos ? ""
+                                    : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
 void SceneDocument::override_value(const std::string& assignment, const Json& defaults) {
   const std::string place = "--set " + assignment;
   const auto equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) {
+  const std::string key = trimmed(assignment.substr(0, equals));
+  if (equals == std::string::npos || key.empty()) {
     throw SceneError(
         fmt::format("{}: expected KEY=VALUE, as in --set fluid.viscosity=0.05", place));
   }
-  const std::string typed = assignment.substr(equals + 1);
+  if (const std::string full = with_section(key, defaults); !full.empty()) {
+    throw SceneError(fmt::format("{}: {}: unknown key; did you mean \"{}\"?", place, key, full));
+  }
+  const std::string typed = trimmed(assignment.substr(equals + 1));
   Json value = Json::parse(typed, nullptr, false);
   if (value.is_discarded()) {
     value = typed;
@@ -209,7 +233,7 @@ void SceneDocument::override_value(const std::string& assignment, const Json& de
   Json* at = &root_;
   const Json* fallback = &defaults;  // the same place in the defaults, or none
   std::string path;
-  for (const std::string& part : split_key(assignment.substr(0, equals))) {
+  for (const std::string& part : split_key(key)) {
     if (part.empty()) {
       throw SceneError(fmt::format("{}: a name is missing in the key", place));
     }

@@ -39,4 +39,7 @@ class SceneDocument {
 std::string child_path(std::string_view parent, std::string_view key);
 std::string child_path(std::string_view parent, std::size_t index);
 
+/// Without spaces at its ends.
+std::string trimmed(const std::string& text);
+
 }  // namespace spindrift::app

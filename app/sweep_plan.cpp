@@ -229,12 +229,13 @@ SweepAxis parse_sweep_axis(const std::string& assignment) {
   if (equals == std::string::npos)
     throw SceneError(fmt::format(
         "{}: expected KEY=VALUE,VALUE,..., as in --set fluid.viscosity=0.01,0.1", place));
-  const std::string key = assignment.substr(0, equals);
+  const std::string key = trimmed(assignment.substr(0, equals));
   SweepAxis axis;
   std::string typed;
   int depth = 0;
   bool in_quotes = false;
   const auto add = [&] {
+    typed = trimmed(typed);
     Json value = Json::parse(typed, nullptr, false);
     axis.push_back({{key, value.is_discarded() ? Json(typed) : std::move(value), place}});
     typed.clear();

@@ -159,7 +159,7 @@ Image read_png(const std::filesystem::path& file) {
                             static_cast<int>(png.size()), &width, &height, &channels, 3),
       &stbi_image_free);
   if (!pixels) {
-    fail(stbi_failure_reason());
+    fail((std::string("damaged, cut short or no picture (") + stbi_failure_reason() + ")").c_str());
   }
   Image image(width, height);
   std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size());

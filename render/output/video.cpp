@@ -2,6 +2,7 @@
 // libavformat lays out the file.
 
 extern "C" {
+#include <libavutil/imgutils.h>
 #include <libavutil/opt.h>
 }
 
@@ -115,19 +116,25 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   return encoder;
 }
 
-Owned<AVFrame> make_frame(const AVCodecContext& encoder) {
+// With rows aligned as libav's vectors want them, and room behind the last one.
+Owned<AVFrame> make_frame(AVPixelFormat format, int width, int height) {
   Owned<AVFrame> frame = owned(av_frame_alloc());
-  frame->format = encoder.pix_fmt;
-  frame->width = encoder.width;
-  frame->height = encoder.height;
+  frame->format = format;
+  frame->width = width;
+  frame->height = height;
+  if (av_frame_get_buffer(frame.get(), 0) < 0) {
+    throw std::bad_alloc();
+  }
+  return frame;
+}
+
+Owned<AVFrame> make_encoded_frame(const AVCodecContext& encoder) {
+  Owned<AVFrame> frame = make_frame(encoder.pix_fmt, encoder.width, encoder.height);
   frame->color_primaries = encoder.color_primaries;
   frame->color_trc = encoder.color_trc;
   frame->colorspace = encoder.colorspace;
   frame->color_range = encoder.color_range;
   frame->chroma_location = encoder.chroma_sample_location;
-  if (av_frame_get_buffer(frame.get(), 0) < 0) {
-    throw std::bad_alloc();
-  }
   return frame;
 }
 
@@ -162,6 +169,7 @@ struct VideoWriter::Impl {
   AtomicFile file;  // libav writes it by its temporary name
   Owned<AVCodecContext> encoder;
   Owned<SwsContext> converter;
+  Owned<AVFrame> rgb;  // a copy of the picture: libswscale reads a few bytes past its rows' ends
   Owned<AVFrame> frame;
   Owned<AVPacket> packet;
   Owned<AVFormatContext> muxer;
@@ -179,7 +187,8 @@ VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& 
   }
   encoder = open_encoder(*codec, settings, name);
   converter = make_converter(settings.width, settings.height);
-  frame = make_frame(*encoder);
+  rgb = make_frame(AV_PIX_FMT_RGB24, settings.width, settings.height);
+  frame = make_encoded_frame(*encoder);
   open_muxer();
 }
 
@@ -238,8 +247,10 @@ void VideoWriter::Impl::add(const Image& image) {
     throw std::logic_error("VideoWriter: add after finish or after an error");
   }
   check(av_frame_make_writable(frame.get()), "frame");
-  const std::uint8_t* pixels = image.pixels.data();
-  sws_scale(converter.get(), &pixels, &stride, 0, settings.height, frame->data, frame->linesize);
+  av_image_copy_plane(rgb->data[0], rgb->linesize[0], image.pixels.data(), stride, stride,
+                      settings.height);
+  sws_scale(converter.get(), rgb->data, rgb->linesize, 0, settings.height, frame->data,
+            frame->linesize);
   frame->pts = frames;
   encode(frame.get());
   ++frames;

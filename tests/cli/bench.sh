@@ -59,6 +59,11 @@ awk -F, '
 [[ $(grep -c "<svg" "$folder/plane/bench.html") == 2 ]] || fail "the report has not its two plots"
 grep -qi "src=\|href=.http" "$folder/plane/bench.html" && fail "the report needs other files"
 
+# A mesh beside the scene file is found.
+printf '%s\n' "v 0 0 0" "v 0.4 0 0" "v 0 0.4 0" "v 0 0 0.4" "f 1 3 2" "f 1 2 4" "f 2 3 4" "f 1 4 3" >"$folder/wedge.obj"
+bench "$folder/drop.json" --spacing 1 --tolerance 1 --time-step 1 --solver pcisph --set video.duration=0.1 \
+  --set 'obstacles=[{"mesh": {"file": "wedge.obj"}}]' --quiet -o "$folder/mesh" || fail "with a mesh it returned $?"
+
 # Without gnuplot: the same, less the plots.
 mkdir "$folder/bin"
 PATH=$folder/bin bench "$folder/drop.json" --spacing 1 --tolerance 1 --time-step 1 --solver sph \
@@ -69,6 +74,7 @@ grep -q "<table>" "$folder/plain/bench.html" || fail "without gnuplot there is n
 
 # Scaling, for machines.
 bench --scaling --threads-scaling --particles 2000,4000 --set fluid.spacing=0.1 --threads 2 --json \
+  --set 'obstacles=[{"capsule": {"from": [0.9, 0.1, 0.2], "to": [0.9, 0.3, 0.2], "radius": 0.1}}]' \
   --quick -o "$folder/scaling" || fail "scaling returned $?"
 [[ $(grep -c '"series": "particles"' "$folder/out") == 2 ]] || fail "not two sizes"
 [[ $(grep -c '"series": "threads"' "$folder/out") == 2 ]] || fail "not one and two threads"
@@ -80,6 +86,7 @@ bench "$folder/drop.json" --limit 0.01 --solver sph --set video.duration=100 --s
 code=$?
 ((code == 3)) || fail "a benchmark without any result returned $code"
 grep -q "not done within 0.01 s" "$folder/err" || fail "it did not say why there is no result"
+grep -q "gnuplot" "$folder/err" && fail "it complained that there is nothing to plot"
 
 # Ctrl-C ends the run and leaves those done before.
 "$program" bench "$folder/drop.json" --spacing 1 --set video.duration=100 -o "$folder/interrupted" \
@@ -111,5 +118,6 @@ refuse "--spacing" --spacing none
 refuse "--spacing" --spacing -1
 refuse "pcisph" --solver dfsph
 refuse 'did you mean "--spacing"' --spacings 1
+refuse "meshes can't be repeated" --scaling --set 'obstacles=[{"mesh": {"file": "'"$folder/wedge.obj"'"}}]'
 refuse "add --plane" --scaling "$folder/drop.json"
 exit 0

@@ -141,6 +141,12 @@ case $part in
     expect 1 "the mean of FLIP is 0." compare "$folder/a" "$folder/b" -o "$folder/out_ab" --max-flip 0.001 --quiet
     expect 0 "" compare "$folder/a" "$folder/a/frames" -o "$folder/out_aa" --max-flip 0 --max-changed 0 --min-ssim 1
     expect 0 "" compare "$folder/a/video.mp4" "$folder/b/video.mp4" -o "$folder/out_v"
+    expect 2 "give another folder by -o" compare "$folder/out_ab/differences" "$folder/b" -o "$folder/out_ab"
+    expect 0 "0001.png" compare "$folder/a/frames/0001.png" "$folder/b/frames/0001.png" -o "$folder/out_ab"
+    [[ $(ls "$folder/out_ab/differences") == 0001.png ]] ||
+      complain "pictures of an earlier comparison stayed" compare
+    head -c 300 "$folder/a/frames/0001.png" >"$folder/cut.png"
+    expect 2 "damaged, cut short or no picture" compare "$folder/cut.png" "$folder/b/frames/0001.png"
     expect 2 "there is no such file or folder" compare "$folder/a" "$folder/c" -o "$folder/out_ac"
     expect 2 "64x36 pixels" compare "$folder/a/frames/0000.png" docs/images/knot.png -o "$folder/out_s"
     expect 2 "not in range" compare "$folder/a" "$folder/b" --min-ssim 2

@@ -54,6 +54,15 @@ expect 0 "changed    references/start/0001.png" update list.json --only start
 [[ -z $(find references -name '.*') ]] || fail "update left a temporary file"
 expect 0 "all 3 pairs" check list.json
 expect 0 '"within_limits": true' check list.json --json --only honey
+expect 0 '"result": "as before"' update list.json --json --only honey
+
+# What can't be rendered is named, and no success.
+stuck='"set": ["solver.max_iterations=3", "solver.min_time_step=0.005", "fluid.volumes[0].velocity=[0,-30,0]"]'
+sed "s/\"name\": \"start\"/&, $stuck/" list.json >stuck.json
+expect 3 "spindrift: start: it could not be rendered" check stuck.json --only start
+expect 3 '"within_limits": false' check stuck.json --only start --json
+expect 3 "spindrift: start: it could not be rendered" update stuck.json --only start
+expect 2 "--set is for \`golden check\`" update list.json --set light.intensity=0.5
 
 # A driver that computes otherwise passes: in vectors of 128 bits, as on a processor without AVX.
 GALLIUM_OVERRIDE_CPU_CAPS=sse4.1 LP_NATIVE_VECTOR_WIDTH=128 expect 0 "" check list.json
@@ -68,11 +77,14 @@ for file in frames/0012.png reference/0012.png difference/0012.png; do
 done
 grep -q "data:image/png;base64" out/golden/golden.html || fail "the report shows nothing"
 
+expect 0 "" check list.json --only honey
+[[ -z $(find out/golden/honey/{reference,difference} -type f) ]] || fail "an old failure's pictures stayed"
+
 # References that can't be compared, and bad input.
 expect 1 "the reference has 160x90 pixels, the result 64x36" check list.json --only start \
   --set video.width=64 --set video.height=36
 head -c 100 references/honey/0012.png >cut.png && mv cut.png references/start/0000.png
-expect 1 "0000.png: cannot read" check list.json --only start
+expect 1 "0000.png: damaged, cut short or no picture" check list.json --only start
 expect 2 'did you mean "start"?' check list.json --only strat
 expect 2 "nothing.json: there is no such file" check nothing.json
 sed 's/max_flip/max_flop/; s/"width"/"max_flop": 1, "width"/' list.json >bad.json

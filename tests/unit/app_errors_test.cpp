@@ -233,6 +233,10 @@ TEST_CASE("an error that --set brings is blamed on it") {
          "--set fluid.spacing=abc: fluid.spacing: expected");
   begins(complaint("{}", {"fluid.spacing"}), "--set fluid.spacing: expected KEY=VALUE");
   begins(complaint("{}", {"=1"}), "--set =1: expected KEY=VALUE");
+  begins(complaint("{}", {" =1"}), "--set  =1: expected KEY=VALUE");
+  begins(complaint("{}", {"viscosity=1"}),
+         "--set viscosity=1: viscosity: unknown key; did you mean \"fluid.viscosity\"?");
+  CHECK(complaint("{}", {" fluid.viscosity = 1", "look.style = particles "}).empty());
   begins(complaint("{}", {"fluid..spacing=1"}), "--set fluid..spacing=1: a name is missing");
   begins(complaint("{}", {"fluid.volumes[4].velocity=1"}),
          "--set fluid.volumes[4].velocity=1: fluid.volumes has 1 entries");

@@ -63,6 +63,11 @@ TEST_CASE("a grid runs every combination, named by its values") {
     CHECK(run.scene.video.duration == 0.5);
 }
 
+TEST_CASE("spaces around keys and values are no part of them") {
+  const SweepPlan plan = plan_of({" look.style = mesh, particles", "fluid.viscosity= 1"});
+  CHECK(names_of(plan) == std::vector<std::string>{"style=mesh", "style=particles"});
+}
+
 TEST_CASE("runs that differ in the picture alone share a simulation") {
   const SweepPlan plan = plan_of({"fluid.viscosity=0.1,1", "surface.smoothing=0,5"});
   CHECK(plan.runs[0].simulation == plan.runs[1].simulation);

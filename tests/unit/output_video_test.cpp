@@ -3,6 +3,8 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 #include <sched.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -339,6 +341,29 @@ TEST_CASE("A frame of another size is rejected and the video goes on without it"
   writer.add(waves(320, 180, 0));
   writer.finish();
   REQUIRE(read_video(folder / "v.mp4").frames.size() == 2);
+}
+
+TEST_CASE("Nothing behind a frame's last pixel is read") {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  Image image;
+  image.pixels.reserve(1 << 20);
+  const std::uint8_t* begin = image.pixels.data();
+  output::VideoSettings settings = small_video();
+  const auto size = [&] { return std::size_t(3 * settings.width * settings.height); };
+  // It ends where a page of memory does, and the page behind it can't be read.
+  while ((reinterpret_cast<std::uintptr_t>(begin) + size()) % page != 0)
+    settings.width += 2;
+  image.width = settings.width;
+  image.height = settings.height;
+  image.pixels.resize(size(), 100);
+  REQUIRE(image.pixels.data() == begin);
+  std::uint8_t* behind = image.pixels.data() + size();
+  const TemporaryFolder folder;
+  REQUIRE(mprotect(behind, page, PROT_NONE) == 0);
+  output::VideoWriter writer(folder / "v.mp4", settings);
+  writer.add(image);
+  REQUIRE(mprotect(behind, page, PROT_READ | PROT_WRITE) == 0);
+  writer.finish();
 }
 
 TEST_CASE("A video that cannot be created is an error with its name") {
