@@ -26,7 +26,7 @@ namespace {
 
 /// Neighbours are listed a little beyond the support radius, since pressure moves particles on from
 /// where the lists were made.
-constexpr float list_radius_factor = 1.03f;
+constexpr float list_radius_factor = 1.05f;
 
 struct Moved {
   float squared_speed = 0;

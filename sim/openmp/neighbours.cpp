@@ -208,8 +208,13 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Point
       const std::size_t last_cell = std::min(cells, (b + 1) * cells_per_block);
       for (auto c = static_cast<std::uint32_t>(b * cells_per_block); c < last_cell; ++c) {
         const std::uint32_t begin = grid.cell_begin(c), end = grid.cell_begin(c + 1);
-        candidates.find(Bounds(points, begin, end), cursors.around(grid.cell_key(c)), others,
-                        radius * radius);
+        const auto& runs = cursors.around(grid.cell_key(c));
+        // As around most samples of dry walls.
+        if (std::all_of(runs.begin(), runs.end(), [](auto& run) { return run.begin == run.end; })) {
+          std::fill(&place_[begin], &place_[begin] + (end - begin), 0u);
+          continue;
+        }
+        candidates.find(Bounds(points, begin, end), runs, others, radius * radius);
         for (std::uint32_t i = begin; i < end; ++i) {
           std::uint32_t* const room = writer.room(candidates.count() + 2 * lane_count + 1);
           place_[i] = writer.keep(candidates.list(points[i], radius * radius, other_count, room));
