@@ -4,20 +4,13 @@
 
 #include <string_view>
 
+#include "sim/device/algorithms.hpp"
 #include "sim/device/arrays.hpp"
-#include "sim/device/thrust.hpp"
+#include "sim/device/loops.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
 
 namespace spindrift::sim::inline device {
-
-template <class T>
-struct Join {
-  SPINDRIFT_HD T operator()(T a, const T& b) const {
-    a.join(b);
-    return a;
-  }
-};
 
 class Executor {
  public:
@@ -28,8 +21,7 @@ class Executor {
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
     const PhaseClock::Scope timed(clock_, name);
-    if (n > 0)
-      launch(n, f);
+    launch(n, f);
   }
 
   /// The same on the processor, one after the other, for what the device cannot do.
@@ -55,18 +47,22 @@ class Executor {
     const PhaseClock::Scope timed(clock_, name);
     if (n == 0)
       return {};
-    return thrust::transform_reduce(thrust::device(scratch_), Counting(0), Counting(n), f, T{},
-                                    Join<T>{});
+    char* const room = scratch_.allocate(sizeof(T));
+    T* const result = reinterpret_cast<T*>(room);
+    join_into(result, scratch_, n, f);
+    scratch_.deallocate(room, sizeof(T));
+    return fetched(result);
   }
 
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
     const PhaseClock::Scope timed(clock_, name);
+    flags_.renew(n);
+    std::uint8_t* flags = flags_.data();
+    launch(n, [=] SPINDRIFT_HD(Index i) { flags[i] = f(i); });
     chosen.renew(n);
-    const auto* end =
-        thrust::copy_if(thrust::device(scratch_), Counting(0), Counting(n), chosen.data(), f);
-    chosen.renew(static_cast<std::size_t>(end - chosen.data()));
+    chosen.renew(find_flagged(scratch_, flags, n, chosen.data()));
   }
 
   /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
@@ -80,13 +76,15 @@ class Executor {
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }
   std::size_t memory_bytes() const {
-    return scratch_.memory_bytes() + 4 * (places_.capacity() + other_places_.capacity() +
-                                          terms_.capacity() + other_terms_.capacity());
+    return scratch_.memory_bytes() + flags_.capacity() +
+           4 * (places_.capacity() + other_places_.capacity() + terms_.capacity() +
+                other_terms_.capacity());
   }
 
  private:
   PhaseClock clock_;
   Scratch scratch_;
+  Array<std::uint8_t> flags_;                                         ///< of select()
   Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
 };
 

@@ -54,6 +54,10 @@ void wait() {
   check(cudaDeviceSynchronize());
 }
 
+void check_launch() {
+  check(cudaGetLastError());
+}
+
 void copy_out(void* to, const void* from, std::size_t bytes) {
   check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost));
 }
@@ -77,6 +81,8 @@ void release(void* memory) noexcept {
 }
 
 void wait() {}
+
+void check_launch() {}
 
 void copy_out(void* to, const void* from, std::size_t bytes) {
   std::memcpy(to, from, bytes);

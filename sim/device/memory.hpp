@@ -16,6 +16,9 @@ void release(void* memory) noexcept;
 /// @throws std::runtime_error when something went wrong there
 void wait();
 
+/// @throws std::runtime_error when what was last given to the device cannot begin
+void check_launch();
+
 /// Waits, and copies out of the device's memory, which stays where it is.
 void copy_out(void* to, const void* from, std::size_t bytes);
 
