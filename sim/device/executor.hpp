@@ -24,22 +24,6 @@ class Executor {
     launch(n, f);
   }
 
-  /// The same on the processor, one after the other, for what the device cannot do.
-  template <class F>
-  void for_each_on_host(std::string_view name, Index n, F f) {
-    const PhaseClock::Scope timed(clock_, name);
-    wait();
-    for (Index i = 0; i < n; ++i)
-      f(i);
-  }
-
-  template <class T, class F>
-  T reduce_on_host(std::string_view name, Index n, F f) {
-    T total;
-    for_each_on_host(name, n, [&](Index i) { total.join(f(i)); });
-    return total;
-  }
-
   /// Like for_each, and joins what f returns, in an order that depends on n and the kind of device
   /// only. T needs `void join(const T&)`.
   template <class T, class F>

@@ -22,6 +22,10 @@ void check_launch();
 /// Waits, and copies out of the device's memory, which stays where it is.
 void copy_out(void* to, const void* from, std::size_t bytes);
 
+/// Copies into the device's memory, after all that the device was given before; the processor may
+/// write over its own numbers again at once.
+void copy_in(void* to, const void* from, std::size_t bytes);
+
 /// One number of the device's.
 template <class T>
 T fetched(const T* from) {

@@ -35,12 +35,6 @@ class Executor {
     }
   }
 
-  /// The same for what runs on the processor only, whatever the backend.
-  template <class F>
-  void for_each_on_host(std::string_view name, Index n, F f) {
-    for_each(name, n, f);
-  }
-
   /// Like for_each, and joins what f returns: block by block in order, so that the result of a
   /// floating-point sum does not depend on the threads. T needs `void join(const T&)`.
   template <class T, class F>
@@ -61,11 +55,6 @@ class Executor {
     for (const T& p : partial)
       total.join(p);
     return total;
-  }
-
-  template <class T, class F>
-  T reduce_on_host(std::string_view name, Index n, F f) {
-    return reduce<T>(name, n, f);
   }
 
   /// The i in [0, n) for which f(i) holds, in order.
