@@ -12,6 +12,24 @@
 
 namespace spindrift::sim::inline device {
 
+/// A number or a few that loops make and look at, one after the other, and the processor now and
+/// then.
+template <class T>
+class Kept {
+ public:
+  /// How many loops that change it the processor should begin before it looks at it again.
+  static constexpr int look_every = 4;
+
+  /// As loops look at it: with view->member.
+  const T* view() const { return value_.data(); }
+  /// As the processor does; waits.
+  T look() const { return fetched(value_.data()); }
+  T* place() { return value_.data(); }
+
+ private:
+  Array<T> value_ = Array<T>(1);
+};
+
 class Executor {
  public:
   using Index = std::uint32_t;
@@ -33,9 +51,17 @@ class Executor {
       return {};
     char* const room = scratch_.allocate(sizeof(T));
     T* const result = reinterpret_cast<T*>(room);
-    join_into(result, scratch_, n, f);
+    join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { *result = total; });
     scratch_.deallocate(room, sizeof(T));
     return fetched(result);
+  }
+
+  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  template <class T, class State, class F, class Use>
+  void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    const PhaseClock::Scope timed(clock_, name);
+    State* const to = state.place();
+    join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { use(*to, total); });
   }
 
   /// The i in [0, n) for which f(i) holds, in order.

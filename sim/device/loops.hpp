@@ -40,8 +40,9 @@ __global__ void __launch_bounds__(loop_threads) run_loop(std::uint32_t n, F f) {
     f(i);
 }
 
-template <class T, class F>
-__global__ void __launch_bounds__(loop_threads) join_blocks(std::uint32_t n, F f, T* joined) {
+/// Calls store(block, what f returned, joined) once in each block.
+template <class T, class F, class Store>
+__global__ void __launch_bounds__(loop_threads) join_blocks(std::uint32_t n, F f, Store store) {
   using BlockReduce = cub::BlockReduce<T, loop_threads>;
   __shared__ typename BlockReduce::TempStorage storage;
   T sum{};
@@ -50,13 +51,20 @@ __global__ void __launch_bounds__(loop_threads) join_blocks(std::uint32_t n, F f
     sum.join(f(static_cast<std::uint32_t>(i)));
   sum = BlockReduce(storage).Reduce(sum, Join<T>{});
   if (threadIdx.x == 0)
-    joined[blockIdx.x] = sum;
+    store(blockIdx.x, sum);
 }
 
 template <class T>
-struct Element {
-  const T* values;
+struct Partial {
+  T* values;
   __device__ T operator()(std::uint32_t i) const { return values[i]; }
+  __device__ void operator()(std::uint32_t i, const T& value) const { values[i] = value; }
+};
+
+template <class T, class Use>
+struct UseTotal {
+  Use use;
+  __device__ void operator()(std::uint32_t, const T& total) const { use(total); }
 };
 
 /// f(i) for i in [0, n), begun after all that was begun before; returns at once.
@@ -68,20 +76,20 @@ void launch(std::uint32_t n, F f) {
   check_launch();
 }
 
-/// Joins f(i) for i in [0, n), in an order that depends on n alone, into `*result`, which is on the
+/// Joins f(i) for i in [0, n), in an order that depends on n alone, and calls use(total) on the
 /// device; returns at once.
-template <class T, class F>
-void join_into(T* result, Scratch& scratch, std::uint32_t n, F f) {
+template <class T, class F, class Use>
+void join_and(Scratch& scratch, std::uint32_t n, F f, Use use) {
   const std::uint32_t wanted = n == 0 ? 1 : (n - 1) / loop_threads + 1;
   const std::uint32_t blocks = wanted < most_partial_sums ? wanted : most_partial_sums;
   if (blocks == 1) {
-    join_blocks<<<1, loop_threads>>>(n, f, result);
+    join_blocks<T><<<1, loop_threads>>>(n, f, UseTotal<T, Use>{use});
   } else {
     const std::size_t bytes = blocks * sizeof(T);
     char* const room = scratch.allocate(static_cast<std::ptrdiff_t>(bytes));
-    T* const partial = reinterpret_cast<T*>(room);
-    join_blocks<<<blocks, loop_threads>>>(n, f, partial);
-    join_blocks<<<1, loop_threads>>>(blocks, Element<T>{partial}, result);
+    const Partial<T> partial{reinterpret_cast<T*>(room)};
+    join_blocks<T><<<blocks, loop_threads>>>(n, f, partial);
+    join_blocks<T><<<1, loop_threads>>>(blocks, partial, UseTotal<T, Use>{use});
     scratch.deallocate(room, bytes);
   }
   check_launch();
@@ -94,10 +102,10 @@ void launch(std::uint32_t n, F f) {
   thrust::for_each_n(thrust::device, thrust::counting_iterator<std::uint32_t>(0), n, f);
 }
 
-template <class T, class F>
-void join_into(T* result, Scratch& scratch, std::uint32_t n, F f) {
+template <class T, class F, class Use>
+void join_and(Scratch& scratch, std::uint32_t n, F f, Use use) {
   const thrust::counting_iterator<std::uint32_t> begin(0);
-  *result = thrust::transform_reduce(thrust::device(scratch), begin, begin + n, f, T{}, Join<T>{});
+  use(thrust::transform_reduce(thrust::device(scratch), begin, begin + n, f, T{}, Join<T>{}));
 }
 
 #endif

@@ -16,6 +16,28 @@
 
 namespace spindrift::sim::inline openmp {
 
+/// A number or a few that loops make and look at, one after the other, and the processor now and
+/// then.
+template <class T>
+class Kept {
+ public:
+  /// How many loops that change it the processor should begin before it looks at it again.
+  static constexpr int look_every = 1;
+
+  struct View {
+    T value;
+    const T* operator->() const { return &value; }
+  };
+  /// As loops look at it: with view->member.
+  View view() const { return {value_}; }
+  /// As the processor does.
+  const T& look() const { return value_; }
+  T* place() { return &value_; }
+
+ private:
+  T value_{};
+};
+
 class Executor {
  public:
   using Index = std::uint32_t;
@@ -55,6 +77,12 @@ class Executor {
     for (const T& p : partial)
       total.join(p);
     return total;
+  }
+
+  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  template <class T, class State, class F, class Use>
+  void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    use(*state.place(), reduce<T>(name, n, f));
   }
 
   /// The i in [0, n) for which f(i) holds, in order.
