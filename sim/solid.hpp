@@ -95,9 +95,9 @@ SPINDRIFT_HD inline glm::vec3 push_out_of_capsule(const Solid& s, const glm::vec
   return nearest + s.radius * n;
 }
 
-/// The nearest point on the surface of a shape for a point inside it; a point outside comes back as
-/// it is.
-SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> push_out(const Solid& s, const Vec3<float>& p) {
+/// As push_out(), of all shapes but meshes.
+SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> push_out_of_formula(const Solid& s,
+                                                                    const Vec3<float>& p) {
   const glm::vec3 q(p.x, p.y, p.z);
   switch (s.kind) {
     case Solid::Kind::box:
@@ -109,9 +109,16 @@ SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> push_out(const Solid& s, const V
     case Solid::Kind::capsule:
       return from_glm(push_out_of_capsule(s, q));
     case Solid::Kind::mesh:
-      return from_glm(s.mesh->push_out(q));
+      break;
   }
   return p;
+}
+
+/// The nearest point on the surface of a shape for a point inside it; a point outside comes back as
+/// it is.
+SPINDRIFT_HD inline Vec3<float> push_out(const Solid& s, const Vec3<float>& p) {
+  return s.kind == Solid::Kind::mesh ? from_glm(s.mesh->push_out({p.x, p.y, p.z}))
+                                     : push_out_of_formula(s, p);
 }
 Vec3<float> push_out(const Shape& shape, Vec3<float> p);
 
