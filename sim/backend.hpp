@@ -12,14 +12,14 @@
 #include "sim/device/cell_grid.hpp"
 #include "sim/device/cell_neighbours.hpp"
 #include "sim/device/executor.hpp"
+#include "sim/device/meshes.hpp"
 #include "sim/device/neighbours.hpp"
-#include "sim/device/obstacles.hpp"
 #else
 #define SPINDRIFT_BACKEND openmp
 #include "sim/openmp/arrays.hpp"
 #include "sim/openmp/cell_grid.hpp"
 #include "sim/openmp/cell_neighbours.hpp"
 #include "sim/openmp/executor.hpp"
+#include "sim/openmp/meshes.hpp"
 #include "sim/openmp/neighbours.hpp"
-#include "sim/openmp/obstacles.hpp"
 #endif

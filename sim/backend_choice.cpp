@@ -22,15 +22,15 @@ std::string cuda_device() {
 
 namespace {
 
-/// Why the CUDA backend cannot run these settings here, in words; empty: it can.
-std::string why_not_cuda([[maybe_unused]] const Settings& settings) {
+/// Why the CUDA backend cannot run here, in words; empty: it can.
+std::string why_not_cuda() {
 #ifdef SPINDRIFT_CUDA
   try {
     device_name();
   } catch (const std::runtime_error& error) {
     return error.what();
   }
-  return missing_on_device(settings);
+  return {};
 #else
   return cuda_device();
 #endif
@@ -41,7 +41,7 @@ std::string why_not_cuda([[maybe_unused]] const Settings& settings) {
 std::string why_refused(const Settings& settings) {
   if (settings.solver.backend != Backend::cuda)
     return {};
-  const std::string why_not = why_not_cuda(settings);
+  const std::string why_not = why_not_cuda();
   return why_not.empty()
              ? why_not
              : "solver.backend is \"cuda\", but " + why_not + "; ask for \"cpu\" or \"auto\"";
@@ -52,7 +52,7 @@ BackendChoice choose_backend(const Settings& settings) {
     return {Backend::cpu, "solver.backend is \"cpu\""};
   if (settings.solver.backend == Backend::cuda)
     return {Backend::cuda, "solver.backend is \"cuda\"; " + cuda_device()};
-  const std::string why_not = why_not_cuda(settings);
+  const std::string why_not = why_not_cuda();
   if (!why_not.empty())
     return {Backend::cpu, why_not};
   return {Backend::cuda, cuda_device()};

@@ -149,8 +149,9 @@ Boundary::Sample Boundary::sample(std::uint32_t b) const {
           .velocity = {0, 0, 0}};
 }
 
-void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
-  count_ = static_cast<std::uint32_t>(samples.size());
+void Boundary::replace(Executor& executor, const Array<Sample>& samples,
+                       const Array<std::uint32_t>& chosen, const GridMap& map) {
+  count_ = static_cast<std::uint32_t>(chosen.size());
   position_.resize(count_);
   velocity_.resize(count_);
   for (ScalarField* f :
@@ -158,21 +159,30 @@ void Boundary::replace(const std::vector<Sample>& samples, const GridMap& map) {
     f->resize(count_);
   const PointView x = position_.view();
   const Vec3Arrays v = velocity_.view();
-  for (std::uint32_t i = 0; i < count_; ++i)
-    x.set(i, samples[i].position);
+  const Sample* from = samples.data();
+  const std::uint32_t* open = chosen.data();
+  executor.for_each("move obstacles", count_,
+                    [=] SPINDRIFT_HD(std::uint32_t i) { x.set(i, from[open[i]].position); });
   grid_.sort(map, x, count_);
-  for (std::uint32_t i = 0; i < count_; ++i) {
-    const Sample& s = samples[grid_.order()[i]];
+  const std::uint32_t *order = grid_.order().data(), n = count_;
+  float *solid = solid_.data(), *viscosity = wall_viscosity_.data(),
+        *pressure = pressure_.data(), *compression = compression_.data(),
+        *mean_pressure = mean_pressure_.data();
+  executor.for_each("move obstacles", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+    if (i == n) {
+      x.set(n, {sentinel_position, sentinel_position, sentinel_position});
+      return;
+    }
+    const Sample& s = from[open[order[i]]];
     x.set(i, s.position);
     v.set(i, s.velocity);
     x.value(i) = s.volume;
-    solid_[i] = s.solid;
-    wall_viscosity_[i] = s.wall_viscosity;
-    pressure_[i] = s.pressure;
-    compression_[i] = s.compression;
-    mean_pressure_[i] = s.mean_pressure;
-  }
-  place_sentinel(position_, count_);
+    solid[i] = s.solid;
+    viscosity[i] = s.wall_viscosity;
+    pressure[i] = s.pressure;
+    compression[i] = s.compression;
+    mean_pressure[i] = s.mean_pressure;
+  });
 }
 
 /// The volumes give the liquid the rest density: where samples are in a single layer, at the sample

@@ -32,11 +32,10 @@ class Boundary {
     Vec3<float> velocity;  ///< m/s
   };
   Sample sample(std::uint32_t b) const;
-  /// Takes these samples in place of those there are, sorted into the cells of `map`: sample k is
-  /// the one that was given as grid().order()[k].
-  void replace(const std::vector<Sample>& samples, const GridMap& map);
-
-  void scale_volume(std::uint32_t b, float factor) { position_.value(b) *= factor; }
+  /// Takes the chosen ones of these samples in place of those there are, sorted into the cells of
+  /// `map`: sample k is the one whose number is chosen[grid().order()[k]].
+  void replace(Executor& executor, const Array<Sample>& samples, const Array<std::uint32_t>& chosen,
+               const GridMap& map);
 
   std::uint32_t count() const { return count_; }
   const CellGrid& grid() const { return grid_; }
@@ -44,7 +43,7 @@ class Boundary {
   PointView positions() { return position_.view(); }
   glm::vec3 position(std::uint32_t b) const { return position_.at(b); }  ///< m
   float volume(std::uint32_t b) const { return position_.value(b); }     ///< m³
-  const float* solids() { return solid_.data(); }
+  float* solids() { return solid_.data(); }
   /// Pa·s; null where all have the fluid's.
   const float* wall_viscosities() const {
     return wall_viscosity_.empty() ? nullptr : wall_viscosity_.data();
@@ -56,11 +55,6 @@ class Boundary {
   ScalarField& mean_pressures() { return mean_pressure_; }
   ScalarField& step_pressures() { return step_pressure_; }
   ScalarField& compressions() { return compression_; }
-  /// Changes how much a sample stands for: nothing where a nozzle opens the wall.
-  void set_sample(std::uint32_t b, float volume, float solid) {
-    position_.value(b) = volume;
-    solid_[b] = solid;
-  }
   std::size_t memory_bytes() const;
 
  private:

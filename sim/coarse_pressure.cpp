@@ -172,47 +172,60 @@ void CoarsePressure::attach_walls(const StepContext& s) {
   });
 }
 
-/// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth.
+/// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth. What
+/// decides when it ends stays where the loops are; those that are begun after that do nothing.
 void CoarsePressure::conjugate_gradients(Executor& executor) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-4;
+  constexpr std::string_view phase = "coarse pressure";
   float *p = pressure_.data(), *r = residual_.data(), *d = direction_.data(),
         *image = image_.data();
   const float *inverse = inverse_diagonal_.data(), *weights = conductance_.data();
   const CellNeighbourView neighbours = neighbours_.view();
-  double squared = executor
-                       .reduce<Sum>("coarse pressure", count_,
-                                    [=] SPINDRIFT_HD(std::uint32_t c) {
-                                      p[c] = d[c] = 0;
-                                      return Sum{double{r[c]} * r[c] * inverse[c]};
-                                    })
-                       .value;
-  double before = 0;
-  const double goal = squared_tolerance * squared;
-  for (int k = 0; k < most_iterations && squared > goal; ++k) {
-    const float beta = k > 0 ? static_cast<float>(squared / before) : 0.f;
-    executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
-      d[c] = r[c] * inverse[c] + beta * d[c];
-    });
-    const double curvature = executor
-                                 .reduce<Sum>("coarse pressure", count_,
-                                              [=] SPINDRIFT_HD(std::uint32_t c) {
-                                                neighbours.apply(c, weights, d, image);
-                                                return Sum{double{image[c]} * d[c]};
-                                              })
-                                 .value;
-    if (!(curvature > 0))
+  const auto begin = [=] SPINDRIFT_HD(std::uint32_t c) {
+    p[c] = d[c] = 0;
+    return Sum{double{r[c]} * r[c] * inverse[c]};
+  };
+  const auto set_goal = [=] SPINDRIFT_HD(CoarseIteration & it, const Sum& squared) {
+    it = {squared.value, squared_tolerance * squared.value, 0, 0,
+          squared.value > squared_tolerance * squared.value};
+  };
+  executor.reduce_to<Sum>(phase, count_, iteration_, begin, set_goal);
+  for (int k = 0; k < most_iterations; ++k) {
+    if (k % Kept<CoarseIteration>::look_every == 0 && !iteration_.look().goes_on)
       return;
-    before = squared;
-    const float step = static_cast<float>(squared / curvature);
-    squared = executor
-                  .reduce<Sum>("coarse pressure", count_,
-                               [=] SPINDRIFT_HD(std::uint32_t c) {
-                                 p[c] += step * d[c];
-                                 r[c] -= step * image[c];
-                                 return Sum{double{r[c]} * r[c] * inverse[c]};
-                               })
-                  .value;
+    const auto last = iteration_.view();
+    executor.for_each(phase, count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (last->goes_on)
+        d[c] = r[c] * inverse[c] + last->beta * d[c];
+    });
+    const auto apply = [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (!last->goes_on)
+        return Sum{};
+      neighbours.apply(c, weights, d, image);
+      return Sum{double{image[c]} * d[c]};
+    };
+    const auto find_step = [=] SPINDRIFT_HD(CoarseIteration & it, const Sum& curvature) {
+      it.goes_on = it.goes_on && curvature.value > 0;
+      it.step = it.goes_on ? static_cast<float>(it.squared / curvature.value) : 0.f;
+    };
+    executor.reduce_to<Sum>(phase, count_, iteration_, apply, find_step);
+    const auto now = iteration_.view();
+    const auto go = [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (!now->goes_on)
+        return Sum{};
+      p[c] += now->step * d[c];
+      r[c] -= now->step * image[c];
+      return Sum{double{r[c]} * r[c] * inverse[c]};
+    };
+    const auto find_beta = [=] SPINDRIFT_HD(CoarseIteration & it, const Sum& squared) {
+      if (!it.goes_on)
+        return;
+      it.beta = static_cast<float>(squared.value / it.squared);
+      it.squared = squared.value;
+      it.goes_on = it.squared > it.goal;
+    };
+    executor.reduce_to<Sum>(phase, count_, iteration_, go, find_beta);
   }
 }
 

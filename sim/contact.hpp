@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sim/backend.hpp"
+#include "sim/obstacles.hpp"
 #include "sim/open_faces.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {

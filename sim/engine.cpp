@@ -92,7 +92,7 @@ struct Run final : Engine {
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
           "emitter");
-    set_particles(particles, initial);
+    set_particles(executor, particles, initial);
     max_speed = largest_speed(executor, particles);
     inflow.attach(walls);
     walls.move(executor, 0, 0);
@@ -134,7 +134,7 @@ struct Run final : Engine {
 
   void find_neighbours() {
     neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
-    inflow.mark(particles);
+    inflow.mark(executor, particles);
   }
 
   StepContext context_of(double dt, int refusals, const float* excess) {
@@ -207,7 +207,7 @@ struct Run final : Engine {
     const PointView drifted_x = particles.drifted_position.view(),
                     drifted_v = particles.drifted_velocity.view();
     const ContactView contact = walls.contact();
-    inflow.mark(particles);
+    inflow.mark(executor, particles);
     const float* carried = inflow.held();
     const Moved motion =
         executor.reduce<Moved>("drift", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
@@ -273,7 +273,7 @@ struct Run final : Engine {
     if (!inflow.exists() && !outflow.exists())
       return;
     exchange += outflow.apply(executor, particles, inflow.held());
-    exchange += inflow.advance(particles, walls, time, time_step.last(),
+    exchange += inflow.advance(executor, particles, walls, time, time_step.last(),
                                body_acceleration(settings.forces, time));
     if (inflow.disturbs())
       measure_start();
@@ -300,7 +300,7 @@ struct Run final : Engine {
     const Measured m =
         SPINDRIFT_BACKEND::measure(executor, particles, neighbourhood, constants, settings,
                                    list_radius_factor * constants.support_radius);
-    inflow.mark(particles);
+    inflow.mark(executor, particles);
     // The same number for a run in one piece and one that goes on from here.
     mean_pressure = m.rms_pressure;
     statistics.mean_compression = m.mean_compression;
@@ -320,7 +320,6 @@ struct Run final : Engine {
     }
     frame_end = end;
     if (end - time > tiny(end)) {
-      executor.wait();
       particles.mean_pressure.resize(particles.count);
       particles.mean_pressure.fill(0);
       walls.boundary().mean_pressures().fill(0);
@@ -352,13 +351,14 @@ struct Run final : Engine {
 
   void go_on_from(const Frame& start) {
     check_start(start);
-    set_particles(particles, start);
+    set_particles(executor, particles, start);
     max_speed = largest_speed(executor, particles);
     walls.move(executor, start.time, start.time);
+    executor.wait();
     walls.set_pressures(start.boundary_pressures);
     time = start.time;
     time_step.set_last(start.last_time_step);
-    inflow.resume(walls, start.time);
+    inflow.resume(executor, walls, start.time);
     measure_start();
   }
 

@@ -1,5 +1,6 @@
 // Marks functions and lambdas that run wherever the particles are: on the processor, or, where a
-// CUDA compiler reads them, on both sides.
+// CUDA compiler reads them, on both sides; and those that are not copied into all the loops that
+// call them.
 #pragma once
 
 #ifdef __CUDACC__
@@ -7,3 +8,5 @@
 #else
 #define SPINDRIFT_HD
 #endif
+
+#define SPINDRIFT_APART __attribute__((noinline))

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "sim/measure.hpp"
-#include "sim/particle_exchange.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
@@ -21,8 +20,10 @@ constexpr double instant = 1e-9;
 
 Inflow::Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id)
     : settings_(settings), constants_(constants), first_id_(first_id) {
-  for (const Emitter& emitter : settings.fluid.emitters)
+  for (const Emitter& emitter : settings.fluid.emitters) {
     nozzles_.emplace_back(emitter, settings.fluid.spacing);
+    put(points_.emplace_back(), nozzles_.back().points());
+  }
   entered_.resize(nozzles_.size());
 }
 
@@ -74,6 +75,7 @@ void Inflow::attach(Walls& walls) {
   openings_.resize(nozzles_.size());
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
     const Box in = nozzles_[n].bounds();
+    std::vector<WallSample> samples;
     const glm::vec3 low = in.min - constants_.support_radius,
                     high = in.max + constants_.support_radius;
     for (std::uint32_t b = 0; b < boundary.count(); ++b) {
@@ -82,15 +84,16 @@ void Inflow::attach(Walls& walls) {
         continue;
       const float volume = boundary.volume(b), solid = boundary.solids()[b];
       if (nozzles_[n].is_in_the_way(x))
-        openings_[n].samples.push_back({b, volume, solid, 0, solid - lowered});
+        samples.push_back({b, volume, solid, 0, solid - lowered});
       else if (const double sum = nozzles_[n].kernel_sum(x, kernel); sum > 0)
-        openings_[n].samples.push_back(
+        samples.push_back(
             {b, volume, solid, volume, solid - constants_.volume * static_cast<float>(sum)});
     }
+    put(openings_[n].samples, samples);
   }
 }
 
-void Inflow::open_walls(Walls& walls, double time) {
+void Inflow::open_walls(Executor& executor, Walls& walls, double time) {
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
     Opening& opening = openings_[n];
     const double part = nozzles_[n].closed_part(time + instant);
@@ -99,17 +102,22 @@ void Inflow::open_walls(Walls& walls, double time) {
     disturbs_ = disturbs_ || (part == 0 && !opening.samples.empty());
     opening.closed_part = part;
     const auto closed = static_cast<float>(part);
-    for (const WallSample& s : opening.samples)
-      walls.set_sample(s.index, glm::mix(s.open_volume, s.volume, closed),
-                       glm::mix(s.open_solid, s.solid, closed));
+    const WallSample* samples = opening.samples.data();
+    const SampleSetter wall = walls.sample_setter();
+    executor.for_each("open walls", static_cast<std::uint32_t>(opening.samples.size()),
+                      [=] SPINDRIFT_HD(std::uint32_t k) {
+                        const WallSample& s = samples[k];
+                        wall.set(s.index, glm::mix(s.open_volume, s.volume, closed),
+                                 glm::mix(s.open_solid, s.solid, closed));
+                      });
   }
 }
 
-void Inflow::resume(Walls& walls, double time) {
+void Inflow::resume(Executor& executor, Walls& walls, double time) {
   for (std::size_t n = 0; n < nozzles_.size(); ++n)
     entered_[n] = nozzles_[n].entered(time + instant);
   note_held_layers(time);
-  open_walls(walls, time);
+  open_walls(executor, walls, time);
 }
 
 void Inflow::note_held_layers(double time) {
@@ -119,37 +127,50 @@ void Inflow::note_held_layers(double time) {
       held_layers_.push_back(layer(n, k));
   std::sort(held_layers_.begin(), held_layers_.end(),
             [](const Layer& a, const Layer& b) { return a.first_id < b.first_id; });
+  layers_at(time);
 }
 
-const Inflow::Layer* Inflow::held_layer_of(std::uint32_t id) const {
-  if (held_layers_.empty() || id < held_layers_.front().first_id)
-    return nullptr;
-  for (const Layer& l : held_layers_)
-    if (id >= l.first_id && id - l.first_id < nozzles_[l.nozzle].layer_size())
-      return &l;
-  return nullptr;
+HeldLayersView Inflow::layers_at(double time) {
+  std::vector<HeldLayer> layers;
+  for (const Layer& l : held_layers_) {
+    const Nozzle& nozzle = nozzles_[l.nozzle];
+    layers.push_back({.first_id = l.first_id,
+                      .size = nozzle.layer_size(),
+                      .nozzle = l.nozzle,
+                      .points = points_[l.nozzle].data(),
+                      .direction = nozzle.direction(),
+                      .velocity = nozzle.velocity(),
+                      .way = nozzle.way(l.k, time),
+                      .fall = time - nozzle.release_time(l.k)});
+  }
+  put(layers_, layers);
+  return this->layers();
 }
 
-void Inflow::mark(const Particles& particles) {
+void Inflow::mark(Executor& executor, const Particles& particles) {
   if (held_layers_.empty())
     return;
-  held_.resize(particles.count);
-  for (std::uint32_t i = 0; i < particles.count; ++i)
-    held_[i] = held_layer_of(particles.ids[i]) != nullptr ? 1.f : 0.f;
-  held_[particles.count] = 0;
+  const std::uint32_t n = particles.count;
+  float* held = held_.resized(n);
+  const HeldLayersView layers = this->layers();
+  const std::uint32_t* ids = particles.ids.data();
+  executor.for_each("carry inflow", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+    held[i] = i < n && layers.of(ids[i]) != nullptr ? 1.f : 0.f;
+  });
 }
 
-void Inflow::carry(Executor& executor, Particles& particles, double time) const {
+void Inflow::carry(Executor& executor, Particles& particles, double time) {
   if (held_layers_.empty())
     return;
   const PointView x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
-  executor.for_each_on_host("carry inflow", particles.count, [&](std::uint32_t i) {
-    const Layer* l = held_layer_of(particles.ids[i]);
+  const HeldLayersView layers = layers_at(time);
+  const std::uint32_t* ids = particles.ids.data();
+  executor.for_each("carry inflow", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const HeldLayer* l = layers.of(ids[i]);
     if (l == nullptr)
       return;
-    const Nozzle& nozzle = nozzles_[l->nozzle];
-    x.set(i, from_glm(nozzle.position(l->k, particles.ids[i] - l->first_id, time)));
-    v.set(i, from_glm(nozzle.velocity()));
+    x.set(i, from_glm(pushed(l->points[ids[i] - l->first_id], l->direction, l->way)));
+    v.set(i, from_glm(l->velocity));
   });
 }
 
@@ -159,49 +180,65 @@ void Inflow::allow(const StepContext& s, float* excess) const {
   const CubicKernel kernel(s.constants.support_radius);
   const PointView x = s.particles.drifted_position.view();
   const float* held = held_.data();
-  s.executor.for_each_on_host("carry inflow", s.particles.count, [&](std::uint32_t i) {
+  const StepView step = s.view();
+  s.executor.for_each("carry inflow", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     if (held[i] > 0)
-      excess[i] = std::max(
-          0.f,
-          carried_density_ratio(i, s.constants, kernel, x, held, s.neighbours, s.boundary) - 1.f);
+      excess[i] = std::max(0.f, carried_density_ratio(i, step.constants, kernel, x, held,
+                                                      step.neighbours, step.boundary) -
+                                    1.f);
   });
 }
 
 /// Free fall from the opening on, to this time and for the velocity to the middle of the last step.
-void Inflow::release(Particles& particles, double time, double last_step,
-                     const Vec3<float>& acceleration) const {
+void Inflow::release(Executor& executor, Particles& particles, double time, double last_step,
+                     const Vec3<float>& acceleration) {
   const bool any = std::any_of(held_layers_.begin(), held_layers_.end(), [&](const Layer& l) {
     return nozzles_[l.nozzle].release_time(l.k) <= time;
   });
   if (!any)
     return;
   const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
-  for (std::uint32_t i = 0; i < particles.count; ++i) {
-    const Layer* l = held_layer_of(particles.ids[i]);
-    if (l == nullptr || nozzles_[l->nozzle].release_time(l->k) > time)
-      continue;
-    const double fall = time - nozzles_[l->nozzle].release_time(l->k);
-    x.set(i, x[i] + static_cast<float>(0.5 * fall * fall) * acceleration);
-    v.set(i, v[i] + static_cast<float>(fall - 0.5 * last_step) * acceleration);
-  }
+  const HeldLayersView layers = layers_at(time);
+  const std::uint32_t* ids = particles.ids.data();
+  const Vec3<float> a = acceleration;
+  executor.for_each("carry inflow", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const HeldLayer* l = layers.of(ids[i]);
+    if (l == nullptr || l->fall < 0)
+      return;
+    const double fall = l->fall;
+    x.set(i, x[i] + static_cast<float>(0.5 * fall * fall) * a);
+    v.set(i, v[i] + static_cast<float>(fall - 0.5 * last_step) * a);
+  });
 }
 
-/// Particles in a box, but for those in the layer's own nozzle.
-std::vector<glm::vec3> Inflow::in_the_place_of(const Particles& particles, const Layer& layer,
-                                               const Box& place) const {
-  std::vector<glm::vec3> found;
-  for (std::uint32_t i = 0; i < particles.count; ++i) {
-    const glm::vec3 p = particles.position.at(i);
-    if (glm::any(glm::lessThan(p, place.min)) || glm::any(glm::greaterThan(p, place.max)))
-      continue;
-    const Layer* own = held_layer_of(particles.ids[i]);
-    if (own == nullptr || own->nozzle != layer.nozzle)
-      found.push_back(p);
-  }
-  return found;
+std::vector<glm::vec3> Inflow::in_the_place_of(Executor& executor, Particles& particles,
+                                               std::uint32_t nozzle, const Box& place) {
+  const Vec3Arrays x = particles.position.view();
+  const HeldLayersView layers = this->layers();
+  const std::uint32_t* ids = particles.ids.data();
+  const auto is_there = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Vec3<float> p = x[i];
+    if (p.x < place.min.x || p.y < place.min.y || p.z < place.min.z || p.x > place.max.x ||
+        p.y > place.max.y || p.z > place.max.z)
+      return false;
+    const HeldLayer* own = layers.of(ids[i]);
+    return own == nullptr || own->nozzle != nozzle;
+  };
+  executor.select("bring inflow", particles.count, found_, is_there);
+  const auto count = static_cast<std::uint32_t>(found_.size());
+  grow(found_positions_, count);
+  Vec3<float>* positions = found_positions_.data();
+  const std::uint32_t* found = found_.data();
+  executor.for_each("bring inflow", count,
+                    [=] SPINDRIFT_HD(std::uint32_t k) { positions[k] = x[found[k]]; });
+  executor.wait();
+  std::vector<glm::vec3> there;
+  for (const Vec3<float>& p : found_positions_)
+    there.emplace_back(p.x, p.y, p.z);
+  return there;
 }
 
-Exchange Inflow::bring(Particles& particles, const Layer& layer, double time) {
+Exchange Inflow::bring(Executor& executor, Particles& particles, const Layer& layer, double time) {
   const Nozzle& nozzle = nozzles_[layer.nozzle];
   std::vector<glm::vec3> places;
   for (std::uint32_t p = 0; p < nozzle.layer_size(); ++p)
@@ -212,7 +249,7 @@ Exchange Inflow::bring(Particles& particles, const Layer& layer, double time) {
     around.min = glm::min(around.min, p - reach);
     around.max = glm::max(around.max, p + reach);
   }
-  const std::vector<glm::vec3> others = in_the_place_of(particles, layer, around);
+  const std::vector<glm::vec3> others = in_the_place_of(executor, particles, layer.nozzle, around);
   disturbs_ = disturbs_ || !others.empty();
   std::vector<glm::vec3> positions;
   std::vector<std::uint32_t> ids;
@@ -229,14 +266,14 @@ Exchange Inflow::bring(Particles& particles, const Layer& layer, double time) {
   }
   exchange.entered = static_cast<std::int64_t>(positions.size());
   exchange.held_back = nozzle.layer_size() - exchange.entered;
-  append_particles(particles, positions, nozzle.velocity(), ids);
+  exchange_.append(executor, particles, positions, nozzle.velocity(), ids);
   return exchange;
 }
 
-Exchange Inflow::advance(Particles& particles, Walls& walls, double time, double last_step,
-                         const Vec3<float>& acceleration) {
+Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls, double time,
+                         double last_step, const Vec3<float>& acceleration) {
   disturbs_ = false;
-  release(particles, time, last_step, acceleration);
+  release(executor, particles, time, last_step, acceleration);
   note_held_layers(time);
   next_id(time);  // there are enough
   std::vector<Layer> entering;
@@ -246,8 +283,8 @@ Exchange Inflow::advance(Particles& particles, Walls& walls, double time, double
       entering.push_back(layer(n, entered_[n]));
   Exchange exchange;
   for (const Layer& l : entering)
-    exchange += bring(particles, l, time);
-  open_walls(walls, time);
+    exchange += bring(executor, particles, l, time);
+  open_walls(executor, walls, time);
   return exchange;
 }
 

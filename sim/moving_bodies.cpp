@@ -16,14 +16,20 @@ constexpr float same_layer = 1e-3f;
 /// Parts of a step in which a body's way is looked at.
 constexpr int parts = 4;
 
-float deep_in(const Shape& shape, const Vec3<float>& p) {
-  const Vec3<float> push = push_out(shape, p) - p;
+SPINDRIFT_HD float deep_in(const Solid& solid, const Vec3<float>& p) {
+  const Vec3<float> push = push_out(solid, p) - p;
   return square_root(dot(push, push));
 }
 
+SPINDRIFT_HD bool is_near(const Box& box, const Vec3<float>& p, float reach) {
+  return p.x > box.min.x - reach && p.y > box.min.y - reach && p.z > box.min.z - reach &&
+         p.x < box.max.x + reach && p.y < box.max.y + reach && p.z < box.max.z + reach;
+}
+
 template <class Kernel>
-Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c, const Kernel& kernel,
-                           const PointView& at, const BoundaryView& boundary) {
+SPINDRIFT_HD Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c,
+                                        const Kernel& kernel, const PointView& at,
+                                        const BoundaryView& boundary) {
   const auto [xb, volume] = boundary.position.point(b);
   const float pb = boundary.step_pressure[b];
   const Vec3<float> sum = boundary.fluid.sum(b, [&, xb = xb](auto i) {
@@ -34,9 +40,9 @@ Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c, const Kerne
   return (-c.volume * volume) * sum;
 }
 
-Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& kernel,
-                           const PointView& position, const PointView& velocity,
-                           const BoundaryView& boundary) {
+SPINDRIFT_HD Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& kernel,
+                                        const PointView& position, const PointView& velocity,
+                                        const BoundaryView& boundary) {
   const auto [xb, volume] = boundary.position.point(b);
   const Vec3<float> vb = boundary.velocity[b];
   const Vec3<float> sum = boundary.fluid.sum(b, [&, xb = xb](auto i) {
@@ -48,26 +54,45 @@ Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& kernel,
 
 }  // namespace
 
-MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary)
-    : settings_(settings), domain_(settings.domain), map_(map), boundary_(boundary) {
+MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary,
+                           Meshes& meshes)
+    : settings_(settings),
+      map_(map),
+      boundary_(boundary),
+      all_solids_(solids_of(settings.obstacles, meshes)) {
   const bool all_the_fluids = boundary.wall_viscosities() == nullptr;
+  std::vector<Boundary::Sample> samples;
   for (std::uint32_t b = 0; b < boundary.count(); ++b) {
-    samples_.push_back(boundary.sample(b));
+    samples.push_back(boundary.sample(b));
     if (all_the_fluids)
-      samples_.back().wall_viscosity = settings.fluid.wall_viscosity;
+      samples.back().wall_viscosity = settings.fluid.wall_viscosity;
   }
-  owners_.assign(samples_.size(), fixed);
-  placed_.resize(samples_.size());
-  for (std::uint32_t b = 0; b < placed_.size(); ++b)
-    placed_[b] = b;
+  std::vector<std::uint32_t> placed(samples.size());
+  for (std::uint32_t b = 0; b < placed.size(); ++b)
+    placed[b] = b;
+  put(placed_, placed);
+  std::vector<int> owners(samples.size(), fixed);
+  std::vector<Solid> solids;
+  std::vector<Box> bounds;
   int body = 0;
-  for (const Obstacle& obstacle : settings_.obstacles)
-    if (obstacle.motion)
-      add(obstacle, body++);
+  for (std::size_t k = 0; k < all_solids_.size(); ++k) {
+    const Obstacle& obstacle = settings_.obstacles[k];
+    if (obstacle.motion) {
+      add(obstacle, body++, samples, owners);
+    } else {
+      solids.push_back(all_solids_[k]);
+      bounds.push_back(bounds_of(obstacle.shape));
+    }
+  }
+  put(samples_, samples);
+  put(owners_, owners);
+  put(fixed_solids_, solids);
+  put(fixed_bounds_, bounds);
 }
 
 /// Samples of one body, alone in the open.
-void MovingBodies::add(const Obstacle& obstacle, int body) {
+void MovingBodies::add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& all,
+                       std::vector<int>& owners) const {
   const float spacing = settings_.fluid.spacing, radius = 2 * spacing;
   Settings alone = settings_;
   alone.obstacles = {obstacle};
@@ -76,100 +101,103 @@ void MovingBodies::add(const Obstacle& obstacle, int body) {
   const GridMap map = GridMap::over(from_glm(alone.domain.min), from_glm(alone.domain.max), radius);
   const Boundary samples(alone, sample_surface(obstacle.shape, spacing), map, radius);
   for (std::uint32_t b = 0; b < samples.count(); ++b) {
-    samples_.push_back(samples.sample(b));
-    samples_.back().wall_viscosity =
-        obstacle.wall_viscosity.value_or(settings_.fluid.wall_viscosity);
-    owners_.push_back(body);
+    all.push_back(samples.sample(b));
+    all.back().wall_viscosity = obstacle.wall_viscosity.value_or(settings_.fluid.wall_viscosity);
+    owners.push_back(body);
   }
 }
 
-/// Whether another solid's layer of samples lies between a sample and the liquid.
-bool MovingBodies::is_covered(const Vec3<float>& p, int owner) const {
-  const float spacing = settings_.fluid.spacing;
+bool SolidsView::is_covered(const Vec3<float>& p, int owner) const {
   const float layer = 0.5f * spacing, margin = same_layer * spacing;
-  for (int k = 0; k < static_cast<int>(bodies_.size()); ++k)
-    if (k != owner && bodies_[static_cast<std::size_t>(k)].depth(p) >
-                          (k > owner ? layer - margin : layer + margin))
+  for (int k = 0; k < body_count; ++k)
+    if (k != owner && bodies[k].depth(p) > (k > owner ? layer - margin : layer + margin))
       return true;
   if (owner == fixed)
     return false;
-  if (domain_.beyond(p) > layer + margin)
+  if (domain.beyond(p) > layer + margin)
     return true;
-  for (const Obstacle& obstacle : settings_.obstacles)
-    if (!obstacle.motion && deep_in(obstacle.shape, p) > layer + margin)
+  for (int k = 0; k < solid_count; ++k)
+    if (deep_in(solids[k], p) > layer + margin)
+      return true;
+  return false;
+}
+
+bool SolidsView::may_meet_another(const Vec3<float>& p, int owner) const {
+  const float reach = 1.5f * spacing;
+  for (int k = 0; k < body_count; ++k)
+    if (k != owner && is_near(bodies[k].bounds, bodies[k].pose.back(p), reach))
+      return true;
+  if (owner == fixed)
+    return false;
+  if (domain.beyond(p) > -reach)
+    return true;
+  for (int k = 0; k < solid_count; ++k)
+    if (is_near(bounds[k], p, reach))
       return true;
   return false;
 }
 
 void MovingBodies::place(Executor& executor, double start, double end) {
-  const PhaseClock::Scope timed(executor.clock(), "move obstacles");
-  keep_pressures();
-  bodies_ = posed_bodies(settings_, start, end);
-  std::vector<Boundary::Sample> here = samples_;
-  std::vector<char> covered(samples_.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    if (owners_[i] != fixed) {
-      const PosedBody& body = bodies_[static_cast<std::size_t>(owners_[i])];
-      here[i].velocity = body.velocity(samples_[i].position);
-      here[i].position = body.pose(samples_[i].position);
+  keep_pressures(executor);
+  put(bodies_, posed_bodies(settings_, all_solids_, start, end));
+  const auto n = static_cast<std::uint32_t>(samples_.size());
+  const SolidsView solids{
+      bodies_.data(),         static_cast<int>(bodies_.size()),       fixed_solids_.data(),
+      fixed_bounds_.data(),   static_cast<int>(fixed_solids_.size()), Inside(settings_.domain),
+      settings_.fluid.spacing};
+  grow(here_, n);
+  grow(covered_, n);
+  const Boundary::Sample* samples = samples_.data();
+  Boundary::Sample* here = here_.data();
+  const int* owners = owners_.data();
+  std::uint8_t* covered = covered_.data();
+  executor.for_each("move obstacles", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    Boundary::Sample sample = samples[i];
+    const int owner = owners[i];
+    if (owner != SolidsView::fixed) {
+      const PosedBody& body = solids.bodies[owner];
+      sample.velocity = body.velocity(samples[i].position);
+      sample.position = body.pose(samples[i].position);
     }
-    covered[i] = is_covered(here[i].position, owners_[i]);
-  }
-  std::vector<std::uint32_t> open;
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < here.size(); ++i) {
-    if (covered[i])
-      continue;
-    here[count++] = here[i];
-    open.push_back(i);
-  }
-  here.resize(count);
-  boundary_.replace(here, map_);
-  placed_.clear();
-  for (const std::uint32_t k : boundary_.grid().order())
-    placed_.push_back(open[k]);
-  share_places();
+    here[i] = sample;
+    covered[i] = solids.is_covered(sample.position, owner);
+  });
+  executor.select("move obstacles", n, open_,
+                  [=] SPINDRIFT_HD(std::uint32_t i) { return covered[i] == 0; });
+  boundary_.replace(executor, here_, open_, map_);
+  const auto count = static_cast<std::uint32_t>(open_.size());
+  grow(placed_, count);
+  const std::uint32_t *order = boundary_.grid().order().data(), *open = open_.data();
+  std::uint32_t* placed = placed_.data();
+  executor.for_each("move obstacles", count,
+                    [=] SPINDRIFT_HD(std::uint32_t k) { placed[k] = open[order[k]]; });
+  share_places(executor, solids);
 }
 
-/// False where no solid that moves relative to the sample's own can have samples within a spacing.
-bool MovingBodies::may_meet_another(std::size_t sample, const Vec3<float>& p) const {
-  const float reach = 1.5f * settings_.fluid.spacing;
-  const auto near = [reach](const Box& box, const Vec3<float>& q) {
-    return q.x > box.min.x - reach && q.y > box.min.y - reach && q.z > box.min.z - reach &&
-           q.x < box.max.x + reach && q.y < box.max.y + reach && q.z < box.max.z + reach;
-  };
-  for (std::size_t k = 0; k < bodies_.size(); ++k)
-    if (static_cast<int>(k) != owners_[sample] && near(bodies_[k].bounds, bodies_[k].pose.back(p)))
-      return true;
-  if (owners_[sample] == fixed)
-    return false;
-  if (domain_.beyond(p) > -reach)
-    return true;
-  for (const Obstacle& obstacle : settings_.obstacles)
-    if (!obstacle.motion && near(bounds_of(obstacle.shape), p))
-      return true;
-  return false;
-}
-
-void MovingBodies::share_places() {
+void MovingBodies::share_places(Executor& executor, const SolidsView& solids) {
   const CellGridView grid = boundary_.grid().view();
   const PointView x = boundary_.positions();
-  const float spacing = settings_.fluid.spacing;
-  RowCursors cursors(map_, grid);
-  for (std::uint32_t k = 0; k < placed_.size(); ++k) {
+  const GridMap map = map_;
+  const std::uint32_t* placed = placed_.data();
+  const int* owners = owners_.data();
+  executor.for_each("move obstacles", boundary_.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
     const Vec3<float> xk = x[k];
-    if (!may_meet_another(placed_[k], xk))
-      continue;
+    const int owner = owners[placed[k]];
+    if (!solids.may_meet_another(xk, owner))
+      return;
     float sharing = 0;
-    for (const RowCursors::Run& run : cursors.around(map_.key(xk)))
-      for (std::uint32_t j = run.begin; j < run.end; ++j) {
-        const Vec3<float> away = x[j] - xk;
-        if (owners_[placed_[j]] != owners_[placed_[k]])
-          sharing += std::max(0.f, 1 - square_root(dot(away, away)) / spacing);
-      }
-    boundary_.scale_volume(k, 1 / (1 + sharing));
-  }
+    for (int row = 0; row < 9; ++row) {
+      const std::uint64_t low = map.row_key(map.key(xk), row);
+      for (std::uint32_t c = grid.first_cell_from(low);
+           c < grid.cell_count && grid.cell_key(c) <= low + 2; ++c)
+        for (std::uint32_t j = grid.cell_begin(c); j < grid.cell_begin(c + 1); ++j) {
+          const Vec3<float> away = x[j] - xk;
+          if (owners[placed[j]] != owner)
+            sharing += std::max(0.f, 1 - square_root(dot(away, away)) / solids.spacing);
+        }
+    }
+    x.value(k) *= 1 / (1 + sharing);
+  });
 }
 
 double MovingBodies::step_within(double distance, double time, double longest) const {
@@ -210,17 +238,23 @@ double MovingBodies::step_within(double distance, double time, double longest) c
   return step;
 }
 
-void MovingBodies::keep_pressures() {
-  std::vector<bool> present(samples_.size(), false);
-  for (std::uint32_t k = 0; k < placed_.size(); ++k) {
-    samples_[placed_[k]].pressure = boundary_.pressures()[k];
-    samples_[placed_[k]].compression = boundary_.compressions()[k];
-    samples_[placed_[k]].mean_pressure = boundary_.mean_pressures()[k];
-    present[placed_[k]] = true;
-  }
-  for (std::size_t i = 0; i < samples_.size(); ++i)
-    if (!present[i])
-      samples_[i].pressure = samples_[i].mean_pressure = samples_[i].compression = 0;
+void MovingBodies::keep_pressures(Executor& executor) {
+  Boundary::Sample* samples = samples_.data();
+  executor.for_each("move obstacles", static_cast<std::uint32_t>(samples_.size()),
+                    [=] SPINDRIFT_HD(std::uint32_t i) {
+                      Boundary::Sample& s = samples[i];
+                      s.pressure = s.mean_pressure = s.compression = 0;
+                    });
+  const std::uint32_t* placed = placed_.data();
+  const float *pressure = boundary_.pressures().data(),
+              *compression = boundary_.compressions().data(),
+              *mean_pressure = boundary_.mean_pressures().data();
+  executor.for_each("move obstacles", boundary_.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
+    Boundary::Sample& s = samples[placed[k]];
+    s.pressure = pressure[k];
+    s.compression = compression[k];
+    s.mean_pressure = mean_pressure[k];
+  });
 }
 
 std::vector<float> MovingBodies::pressures() const {
@@ -236,8 +270,9 @@ void MovingBodies::set_pressures(const std::vector<float>& pressures) {
 }
 
 std::size_t MovingBodies::memory_bytes() const {
-  return samples_.capacity() * sizeof(Boundary::Sample) + owners_.capacity() * sizeof(int) +
-         placed_.capacity() * sizeof(std::uint32_t);
+  return (samples_.capacity() + here_.capacity()) * sizeof(Boundary::Sample) +
+         owners_.capacity() * sizeof(int) + covered_.capacity() +
+         (open_.capacity() + placed_.capacity()) * sizeof(std::uint32_t);
 }
 
 double wall_work(Executor& executor, const FluidConstants& constants, PressureKernel kernel,
@@ -246,22 +281,21 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
   const SpikyKernel spiky(constants.support_radius);
   const DiffusionKernel diffusion(constants.spacing, constants.support_radius);
   const PointView x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
-  return executor
-      .reduce_on_host<Sum>("wall work", boundary.wet_count,
-                           [&](std::uint32_t k) {
-                             const std::uint32_t b = boundary.wet[k];
-                             const Vec3<float> way = time_step * boundary.velocity[b];
-                             if (dot(way, way) == 0)
-                               return Sum{};
-                             Vec3<float> force =
-                                 kernel == PressureKernel::spiky
-                                     ? pressure_force(b, constants, spiky, x, boundary)
-                                     : pressure_force(b, constants, cubic, x, boundary);
-                             if (boundary.wall_viscosity[b] > 0)
-                               force += friction_force(b, diffusion, x, v, boundary);
-                             return Sum{double{dot(force, way)}};
-                           })
-      .value;
+  const BoundaryView solid = boundary;
+  const FluidConstants c = constants;
+  const auto work = [=] SPINDRIFT_HD(std::uint32_t k) {
+    const std::uint32_t b = solid.wet[k];
+    const Vec3<float> way = time_step * solid.velocity[b];
+    if (dot(way, way) == 0)
+      return Sum{};
+    Vec3<float> force = kernel == PressureKernel::spiky
+                            ? pressure_force(b, c, spiky, x, solid)
+                            : pressure_force(b, c, cubic, x, solid);
+    if (solid.wall_viscosity[b] > 0)
+      force += friction_force(b, diffusion, x, v, solid);
+    return Sum{double{dot(force, way)}};
+  };
+  return executor.reduce<Sum>("wall work", solid.wet_count, work).value;
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -15,26 +15,44 @@
 #include "sim/boundary.hpp"
 #include "sim/formulas.hpp"
 #include "sim/posed_body.hpp"
+#include "sim/shapes.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+
+/// What is solid, as loops over samples look at it.
+struct SolidsView {
+  static constexpr int fixed = -1;  ///< as the owner of a sample
+  const PosedBody* bodies;
+  int body_count;
+  const Solid* solids;  ///< that are fixed
+  const Box* bounds;    ///< of those, m
+  int solid_count;
+  Inside domain;
+  float spacing;  ///< m
+
+  /// Whether another solid's layer of samples lies between a sample and the liquid.
+  SPINDRIFT_HD bool is_covered(const Vec3<float>& p, int owner) const;
+
+  /// False where no solid that moves relative to the sample's own can have samples within a
+  /// spacing.
+  SPINDRIFT_HD bool may_meet_another(const Vec3<float>& p, int owner) const;
+};
 
 class MovingBodies {
  public:
   /// @param boundary the samples of what is fixed; this object puts the others among them
-  MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary);
+  /// @param meshes   where loops find meshes
+  MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary, Meshes& meshes);
 
-  /// Changes how much a sample of what is fixed stands for, from the next time on that samples are
-  /// put where they are. @param b its number in the boundary that this object was made with
-  void set_sample(std::uint32_t b, float volume, float solid) {
-    samples_[b].volume = volume;
-    samples_[b].solid = solid;
-  }
+  /// The samples of all solids, where the scene puts them; those of what is fixed first, as they
+  /// were in the boundary that this object was made with.
+  Boundary::Sample* samples() { return samples_.data(); }
 
   /// Puts the samples where the bodies are at the end of a step, s.
   void place(Executor& executor, double start, double end);
 
   /// The bodies as they were placed.
-  const std::vector<PosedBody>& bodies() const { return bodies_; }
+  const Array<PosedBody>& bodies() const { return bodies_; }
 
   /// The longest step of at most `longest` (s) from a time on in which no point of a body goes
   /// farther than `distance`, m.
@@ -46,23 +64,28 @@ class MovingBodies {
 
   std::size_t memory_bytes() const;
 
+  // Parts of place(); public since CUDA has no loops in private functions.
+  void keep_pressures(Executor& executor);
+  void share_places(Executor& executor, const SolidsView& solids);
+
  private:
-  /// The scene's number of a body, or `fixed`.
-  static constexpr int fixed = -1;
-  void add(const Obstacle& obstacle, int body);
-  bool is_covered(const Vec3<float>& p, int owner) const;
-  bool may_meet_another(std::size_t sample, const Vec3<float>& p) const;
-  void share_places();
-  void keep_pressures();
+  static constexpr int fixed = SolidsView::fixed;
+  void add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& samples,
+           std::vector<int>& owners) const;
 
   Settings settings_;
-  Inside domain_;
   GridMap map_;
   Boundary& boundary_;
-  std::vector<PosedBody> bodies_;
-  std::vector<Boundary::Sample> samples_;  ///< of all solids, where the scene puts them
-  std::vector<int> owners_;                ///< per sample
-  std::vector<std::uint32_t> placed_;      ///< numbers of the samples that are in the boundary
+  std::vector<Solid> all_solids_;  ///< of the scene's obstacles, in their order
+  Array<Solid> fixed_solids_;
+  Array<Box> fixed_bounds_;
+  Array<PosedBody> bodies_;
+  Array<Boundary::Sample> samples_;  ///< of all solids, where the scene puts them
+  Array<Boundary::Sample> here_;     ///< where they are
+  Array<int> owners_;                ///< per sample: the scene's number of a body, or `fixed`
+  Array<std::uint8_t> covered_;      ///< per sample
+  Array<std::uint32_t> open_;        ///< numbers of the samples that are not covered
+  Array<std::uint32_t> placed_;      ///< the same, as they are sorted in the boundary
 };
 
 /// Work of the moving bodies on the liquid in a step of length `time_step` (s), J: pressure and

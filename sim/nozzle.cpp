@@ -152,8 +152,7 @@ std::int64_t Nozzle::released(double time) const {
 }
 
 glm::vec3 Nozzle::position(std::int64_t k, std::uint32_t point, double time) const {
-  const double a = (time - release_time(k)) * speed_;
-  return glm::vec3(glm::dvec3(points_[point]) + a * glm::dvec3(direction_));
+  return pushed(points_[point], direction_, way(k, time));
 }
 
 double Nozzle::closed_part(double time) const {

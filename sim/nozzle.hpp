@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/host_device.hpp"
 #include "sim/settings.hpp"
 
 namespace spindrift::sim {
@@ -27,6 +28,13 @@ OpeningPoints fill_opening(const Opening& opening, float spacing);
 
 /// Of unit length.
 glm::vec3 direction_of(const Opening& opening);
+
+/// Where a particle in a nozzle is, m.
+/// @param point in the opening @param way from the opening on, m
+SPINDRIFT_HD inline glm::vec3 pushed(const glm::vec3& point, const glm::vec3& direction,
+                                     double way) {
+  return glm::vec3(glm::dvec3(point) + way * glm::dvec3(direction));
+}
 
 class Nozzle {
  public:
@@ -49,6 +57,10 @@ class Nozzle {
   /// Where a particle of layer k is when nothing but the nozzle moves it, m.
   glm::vec3 position(std::int64_t k, std::uint32_t point, double time) const;
   glm::vec3 velocity() const { return velocity_; }  ///< m/s
+  /// How far layer k has come from the opening, m; negative in the nozzle.
+  double way(std::int64_t k, double time) const { return (time - release_time(k)) * speed_; }
+  const std::vector<glm::vec3>& points() const { return points_; }  ///< m
+  const glm::vec3& direction() const { return direction_; }
 
   /// How far the nozzle is closed again, as far as there is a wall around it: 0 while liquid is in
   /// it, and from then on growing up to 1, the faster the liquid was.

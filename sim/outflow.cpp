@@ -1,20 +1,18 @@
 #include "sim/outflow.hpp"
 
 #include "sim/measure.hpp"
-#include "sim/particle_exchange.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-bool is_outside(const Vec3<float>& p, const Box& box) {
+SPINDRIFT_HD bool is_outside(const Vec3<float>& p, const Box& box) {
   return p.x < box.min.x || p.y < box.min.y || p.z < box.min.z || p.x > box.max.x ||
          p.y > box.max.y || p.z > box.max.z;
 }
 
 struct Found {
   bool any = false;
-  void join(const Found& o) { any = any || o.any; }
+  SPINDRIFT_HD void join(const Found& o) { any = any || o.any; }
 };
 
 }  // namespace
@@ -38,39 +36,58 @@ Outflow::Outflow(const Settings& settings, const FluidConstants& constants)
     : settings_(settings),
       constants_(constants),
       open_(settings.domain),
-      reach_(reach_of(settings)) {}
+      reach_(reach_of(settings)) {
+  std::vector<Solid> sinks;
+  for (const Sink& sink : settings.sinks)
+    sinks.push_back(solid_of(sink.shape, meshes_));
+  put(sinks_, sinks);
+}
 
 /// Within the domain contact keeps particles off its walls. Around the edge of an opening there is
 /// no way back.
-Outflow::Way Outflow::way_of(const Vec3<float>& p) const {
-  for (const Sink& sink : settings_.sinks)
-    if (contains(sink.shape, p))
-      return drained;
-  return open_.any && open_.is_beyond(p) && is_outside(p, reach_) ? left : stays;
-}
-
 Exchange Outflow::apply(Executor& executor, Particles& particles, const float* held) {
   const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
-  gone_.resize(particles.count);
-  const bool any = executor
-                       .reduce_on_host<Found>("outflow", particles.count,
-                                              [&](std::uint32_t i) {
-                                                const bool carried = held != nullptr && held[i] > 0;
-                                                gone_[i] = carried ? stays : way_of(x[i]);
-                                                return Found{gone_[i] != stays};
-                                              })
-                       .any;
+  grow(way_, particles.count);
+  WayOut* way = way_.data();
+  const Solid* sinks = sinks_.data();
+  const std::size_t sink_count = sinks_.size();
+  const OpenFaces open = open_;
+  const Box reach = reach_;
+  const auto find_way = [=] SPINDRIFT_HD(std::uint32_t i) {
+    way[i] = WayOut::none;
+    if (held != nullptr && held[i] > 0)
+      return Found{};
+    const Vec3<float> p = x[i];
+    for (std::size_t k = 0; k < sink_count && way[i] == WayOut::none; ++k)
+      if (contains(sinks[k], p))
+        way[i] = WayOut::drained;
+    if (way[i] == WayOut::none && open.any && open.is_beyond(p) && is_outside(p, reach))
+      way[i] = WayOut::left;
+    return Found{way[i] != WayOut::none};
+  };
   Exchange exchange;
-  if (!any)
+  if (!executor.reduce<Found>("outflow", particles.count, find_way).any)
     return exchange;
-  for (std::uint32_t i = 0; i < particles.count; ++i) {
-    exchange.drained += gone_[i] == drained;
-    exchange.left += gone_[i] == left;
-    if (gone_[i] != stays)
-      exchange.energy_out +=
-          energy_of(constants_, settings_, {x.x[i], x.y[i], x.z[i]}, {v.x[i], v.y[i], v.z[i]});
+  executor.select("outflow", particles.count, chosen_,
+                  [=] SPINDRIFT_HD(std::uint32_t i) { return way[i] != WayOut::none; });
+  const auto gone = static_cast<std::uint32_t>(chosen_.size());
+  grow(going_, gone);
+  Going* going = going_.data();
+  const std::uint32_t* chosen = chosen_.data();
+  executor.for_each("outflow", gone, [=] SPINDRIFT_HD(std::uint32_t k) {
+    const std::uint32_t i = chosen[k];
+    going[k] = {x[i], v[i], way[i]};
+  });
+  executor.wait();
+  for (const Going& g : going_) {
+    (g.way == WayOut::drained ? exchange.drained : exchange.left) += 1;
+    exchange.energy_out +=
+        energy_of(constants_, settings_, {g.position.x, g.position.y, g.position.z},
+                  {g.velocity.x, g.velocity.y, g.velocity.z});
   }
-  remove_particles(particles, gone_);
+  executor.select("outflow", particles.count, chosen_,
+                  [=] SPINDRIFT_HD(std::uint32_t i) { return way[i] == WayOut::none; });
+  exchange_.keep(executor, particles, chosen_);
   return exchange;
 }
 

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include "sim/backend.hpp"
 #include "sim/exchange.hpp"
 #include "sim/formulas.hpp"
 #include "sim/open_faces.hpp"
+#include "sim/particle_exchange.hpp"
 #include "sim/particles.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+
+enum class WayOut : std::uint8_t { none, drained, left };
 
 class Outflow {
  public:
@@ -22,15 +24,23 @@ class Outflow {
   /// with held[i] = 1; `held` may be null.
   Exchange apply(Executor& executor, Particles& particles, const float* held);
 
- private:
-  enum Way : std::uint8_t { stays, drained, left };
-  Way way_of(const Vec3<float>& p) const;
+  /// Where and how fast a particle is that goes.
+  struct Going {
+    Vec3<float> position, velocity;  ///< m, m/s
+    WayOut way;
+  };
 
+ private:
   Settings settings_;
   FluidConstants constants_;
   OpenFaces open_;
   Box reach_;  ///< what is beyond an open face comes back, or is looked at yet, within this, m
-  std::vector<std::uint8_t> gone_;
+  Meshes meshes_;
+  Array<Solid> sinks_;
+  Array<WayOut> way_;  ///< of each particle
+  Array<std::uint32_t> chosen_;
+  Array<Going> going_;
+  ParticleExchange exchange_;
 };
 
 /// How far a particle may be out of the domain without being lost: two spacings beyond an open

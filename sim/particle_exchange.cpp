@@ -1,45 +1,74 @@
 #include "sim/particle_exchange.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+namespace {
 
-void append_particles(Particles& particles, std::span<const glm::vec3> positions,
-                      const glm::vec3& velocity, std::span<const std::uint32_t> ids) {
-  const std::uint32_t before = particles.count;
-  particles.resize(before + static_cast<std::uint32_t>(positions.size()));
-  for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
-    if (!field->empty())
-      field->resize(particles.count);
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    const auto i = before + static_cast<std::uint32_t>(k);
-    particles.position.view().set(i, from_glm(positions[k]));
-    particles.velocity.view().set(i, from_glm(velocity));
-    particles.pressure[i] = 0;
-    for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
-      if (!field->empty())
-        (*field)[i] = 0;
-    particles.ids[i] = ids[k];
-  }
+constexpr std::string_view phase = "exchange particles";
+
+template <class T>
+void gather(Executor& executor, const Array<std::uint32_t>& kept, const T* from, T* to) {
+  const std::uint32_t* places = kept.data();
+  executor.for_each(phase, static_cast<std::uint32_t>(kept.size()),
+                    [=] SPINDRIFT_HD(std::uint32_t k) { to[k] = from[places[k]]; });
 }
 
-void remove_particles(Particles& particles, std::span<const std::uint8_t> gone) {
+}  // namespace
+
+void ParticleExchange::append(Executor& executor, Particles& particles,
+                              const std::vector<glm::vec3>& positions, const glm::vec3& velocity,
+                              const std::vector<std::uint32_t>& ids) {
+  const std::uint32_t before = particles.count;
+  particles.resize(before + static_cast<std::uint32_t>(positions.size()));
+  const auto field = [&](ScalarField& of) {
+    return of.empty() ? nullptr : of.resized(particles.count);
+  };
+  float* compression = field(particles.compression);
+  float* mean_pressure = field(particles.mean_pressure);
+  put(new_positions_, positions);
+  put(new_ids_, ids);
   const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < particles.count; ++i) {
-    if (gone[i] != 0)
-      continue;
-    x.set(kept, x[i]);
-    v.set(kept, v[i]);
-    particles.pressure[kept] = particles.pressure[i];
-    for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
-      if (!field->empty())
-        (*field)[kept] = (*field)[i];
-    particles.ids[kept] = particles.ids[i];
-    ++kept;
-  }
-  particles.resize(kept);
+  float* pressure = particles.pressure.data();
+  std::uint32_t* id = particles.ids.data();
+  const glm::vec3* new_positions = new_positions_.data();
+  const std::uint32_t* new_ids = new_ids_.data();
+  const Vec3<float> new_velocity = from_glm(velocity);
+  const auto count = static_cast<std::uint32_t>(positions.size());
+  executor.for_each(phase, count, [=] SPINDRIFT_HD(std::uint32_t k) {
+    const std::uint32_t i = before + k;
+    x.set(i, from_glm(new_positions[k]));
+    v.set(i, new_velocity);
+    pressure[i] = 0;
+    if (compression != nullptr)
+      compression[i] = 0;
+    if (mean_pressure != nullptr)
+      mean_pressure[i] = 0;
+    id[i] = new_ids[k];
+  });
+}
+
+void ParticleExchange::keep(Executor& executor, Particles& particles,
+                            const Array<std::uint32_t>& kept) {
+  // The density ratios are of the last step, and nobody's any more.
+  ScalarField& scratch = particles.density_ratio;
+  const auto keep_of = [&](ScalarField& field) {
+    if (field.empty())
+      return;
+    gather(executor, kept, static_cast<const float*>(field.data()), scratch.data());
+    field.swap(scratch);
+  };
+  for (VectorField* field : {&particles.position, &particles.velocity})
+    for (int c = 0; c < 3; ++c)
+      keep_of(field->component(c));
+  for (ScalarField* field : {&particles.pressure, &particles.compression, &particles.mean_pressure})
+    keep_of(*field);
+  grow(new_ids_, kept.size());
+  gather(executor, kept, static_cast<const std::uint32_t*>(particles.ids.data()), new_ids_.data());
+  particles.ids.swap(new_ids_);
+  const auto count = static_cast<std::uint32_t>(kept.size());
+  particles.resize(count);
   for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
     if (!field->empty())
-      field->resize(kept);
+      field->resize(count);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -3,17 +3,24 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
+#include <vector>
 
 #include "sim/particles.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Adds particles of the given velocity, m/s, without pressure, after all others.
-void append_particles(Particles& particles, std::span<const glm::vec3> positions,
-                      const glm::vec3& velocity, std::span<const std::uint32_t> ids);
+class ParticleExchange {
+ public:
+  /// Adds particles of the given velocity, m/s, without pressure, after all others.
+  void append(Executor& executor, Particles& particles, const std::vector<glm::vec3>& positions,
+              const glm::vec3& velocity, const std::vector<std::uint32_t>& ids);
 
-/// Takes away particle i where gone[i] is not 0; the others keep their order.
-void remove_particles(Particles& particles, std::span<const std::uint8_t> gone);
+  /// Keeps the particles whose numbers these are, in their order, and takes the others away.
+  void keep(Executor& executor, Particles& particles, const Array<std::uint32_t>& kept);
+
+ private:
+  Array<glm::vec3> new_positions_;
+  Array<std::uint32_t> new_ids_;
+};
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

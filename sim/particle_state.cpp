@@ -4,9 +4,10 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-void set_particles(Particles& particles, const InitialParticles& initial) {
+void set_particles(Executor& executor, Particles& particles, const InitialParticles& initial) {
   const auto n = static_cast<std::uint32_t>(initial.positions.size());
   particles.resize(n);
+  executor.wait();
   for (std::uint32_t i = 0; i < n; ++i) {
     particles.position.view().set(i, from_glm(initial.positions[i]));
     particles.velocity.view().set(i, from_glm(initial.velocities[i]));
@@ -14,10 +15,11 @@ void set_particles(Particles& particles, const InitialParticles& initial) {
   }
 }
 
-void set_particles(Particles& particles, const Frame& frame) {
+void set_particles(Executor& executor, Particles& particles, const Frame& frame) {
   const auto n = static_cast<std::uint32_t>(frame.positions.size());
   particles.resize(n);
   particles.mean_pressure.resize(n);
+  executor.wait();
   for (std::uint32_t i = 0; i < n; ++i) {
     particles.position.view().set(i, from_glm(frame.positions[i]));
     particles.velocity.view().set(i, from_glm(frame.velocities[i]));

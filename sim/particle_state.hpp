@@ -9,10 +9,10 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 /// Takes over the particles of a start, numbered from 0.
-void set_particles(Particles& particles, const InitialParticles& initial);
+void set_particles(Executor& executor, Particles& particles, const InitialParticles& initial);
 
 /// Takes over those of a frame.
-void set_particles(Particles& particles, const Frame& frame);
+void set_particles(Executor& executor, Particles& particles, const Frame& frame);
 
 /// Puts the particles into a frame. @param rest_density kg/m³
 void put_particles(const Particles& particles, float rest_density, Frame& frame);

@@ -30,7 +30,7 @@ class ScalarField {
   bool empty() const { return values_.empty(); }
   float& operator[](std::uint32_t i) { return values_[i]; }
   float operator[](std::uint32_t i) const { return values_[i]; }
-  void fill(float value) { std::fill(values_.begin(), values_.end(), value); }
+  void fill(float value) { set_all(values_, value); }
   void swap(ScalarField& other) { values_.swap(other.values_); }
   std::size_t memory_bytes() const { return values_.capacity() * sizeof(float); }
 

@@ -77,7 +77,7 @@ class Pcisph : public PressureSolver {
       const Residual residual = predict_density(s, delta);
       const bool falls_freely = move == 0 && is_nothing(residual, s);
       if ((falls_freely || iteration >= settings_.min_iterations) && converged(residual, s)) {
-        eases_ = !falls_freely && iteration <= std::max(2, settings_.min_iterations);
+        eases_ = !falls_freely;
         return {true, iteration, s.time_step / s.kick};
       }
       if (iteration == settings_.max_iterations)
@@ -90,8 +90,6 @@ class Pcisph : public PressureSolver {
     }
   }
 
-  /// Where the iteration had to go on, the liquid is thrown about so much that easing, a pass of
-  /// each kind, buys nothing.
   void ease(const StepContext& s) override {
     if (!eases_)
       return;

@@ -1,11 +1,15 @@
 // A body that moves, over one step: where it is at its end, and how it got there.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <span>
 #include <vector>
 
 #include "sim/motion.hpp"
 #include "sim/real.hpp"
 #include "sim/settings.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 
@@ -14,11 +18,11 @@ struct Affine {
   Vec3<float> row_x{1, 0, 0}, row_y{0, 1, 0}, row_z{0, 0, 1};  ///< of M
   Vec3<float> offset{0, 0, 0};                                 ///< t
 
-  Vec3<float> operator()(const Vec3<float>& p) const {
+  SPINDRIFT_HD Vec3<float> operator()(const Vec3<float>& p) const {
     return Vec3<float>{dot(row_x, p), dot(row_y, p), dot(row_z, p)} + offset;
   }
   /// Where it takes to p, if M is a rotation.
-  Vec3<float> back(const Vec3<float>& p) const {
+  SPINDRIFT_HD Vec3<float> back(const Vec3<float>& p) const {
     const Vec3<float> d = p - offset;
     return d.x * row_x + d.y * row_y + d.z * row_z;
   }
@@ -32,15 +36,22 @@ struct Inside {
   explicit Inside(const DomainSettings& domain);
 
   /// The nearest point at least a distance (m) away from every face.
-  Vec3<float> nudged(const Vec3<float>& p, float distance) const;
+  SPINDRIFT_HD Vec3<float> nudged(const Vec3<float>& p, float distance) const {
+    return {std::clamp(p.x, min.x + distance, max.x - distance),
+            std::clamp(p.y, min.y + distance, max.y - distance),
+            std::clamp(p.z, min.z + distance, max.z - distance)};
+  }
 
   /// How far beyond the farthest of the faces that it is beyond a point is, m; negative inside.
-  float beyond(const Vec3<float>& p) const;
+  SPINDRIFT_HD float beyond(const Vec3<float>& p) const {
+    return std::max({min.x - p.x, min.y - p.y, min.z - p.z, p.x - max.x, p.y - max.y, p.z - max.z});
+  }
 };
 
+/// A body in a step, as plain data.
 struct PosedBody {
-  const Shape* shape = nullptr;  ///< where the scene puts it
-  Box bounds;                    ///< of the shape, m
+  Solid solid;  ///< where the scene puts it
+  Box bounds;   ///< of it, m
   Inside domain;
   Affine start, pose;  ///< to where it is at the start and at the end of the step
   Affine velocity;     ///< from the shape's points to their mean velocity over it, m/s
@@ -50,20 +61,114 @@ struct PosedBody {
   /// The point itself, or, for one in the body at its end, one on its surface that is inside the
   /// domain: the body may lie flush against a wall, or stick out through it. There the nearest
   /// point of the surface can be in the wall.
-  Vec3<float> hold(const Vec3<float>& p) const;
+  SPINDRIFT_HD Vec3<float> hold(const Vec3<float>& p) const;
 
   /// The same for a particle that comes from `from`: it does not pass the body, however fast both
   /// are. In the body's frame it goes a straight way, in short pieces.
-  Vec3<float> sweep(const Vec3<float>& from, const Vec3<float>& p) const;
+  SPINDRIFT_HD Vec3<float> sweep(const Vec3<float>& from, const Vec3<float>& p) const;
 
   /// Whether a point, or, for one on a wall, a point just off it, is in the body at its end.
-  bool holds(const Vec3<float>& p) const;
+  SPINDRIFT_HD bool holds(const Vec3<float>& p) const {
+    return !is_zero(shortest_push(domain.nudged(p, nudge * spacing)));
+  }
 
   /// How deep below the surface a point is, m; 0 outside.
-  float depth(const Vec3<float>& p) const;
+  SPINDRIFT_HD float depth(const Vec3<float>& p) const;
+
+ private:
+  /// Particles this near to a wall, in spacings, count as in a body that lies flush against it.
+  static constexpr float nudge = 1e-3f;
+
+  SPINDRIFT_HD static bool is_zero(const Vec3<float>& v) {
+    return v.x == 0 && v.y == 0 && v.z == 0;
+  }
+  SPINDRIFT_HD static bool overlap(const Vec3<float>& low, const Vec3<float>& high, const Box& box,
+                                   float margin) {
+    return low.x <= box.max.x + margin && low.y <= box.max.y + margin &&
+           low.z <= box.max.z + margin && high.x >= box.min.x - margin &&
+           high.y >= box.min.y - margin && high.z >= box.min.z - margin;
+  }
+  /// Moves one coordinate of a point off the wall that it is pushed into, if it is.
+  SPINDRIFT_HD static void lift_off(float push, float out, float low, float high, float lift,
+                                    float& coordinate) {
+    const float margin = nudge * lift;
+    if (push < 0 && out < low + margin)
+      coordinate = low + lift;
+    if (push > 0 && out > high - margin)
+      coordinate = high - lift;
+  }
+  /// How the body pushes a point out of itself along the shortest way, in the scene's frame; 0
+  /// outside.
+  SPINDRIFT_HD Vec3<float> shortest_push(const Vec3<float>& p) const {
+    const Vec3<float> q = pose.back(p);
+    const Vec3<float> out = push_out(solid, q);
+    return is_zero(out - q) ? Vec3<float>{0, 0, 0} : pose(out) - p;
+  }
 };
 
+SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> PosedBody::hold(const Vec3<float>& p) const {
+  const Vec3<float> inner = domain.nudged(p, nudge * spacing);
+  const Vec3<float> q = pose.back(inner);
+  if (!overlap(q, q, bounds, 0))
+    return p;
+  const Vec3<float> shortest = shortest_push(inner);
+  if (is_zero(shortest))
+    return p;
+  // Where the way out leads into a wall, the particle takes that of a point farther off that wall.
+  for (float lift = spacing; lift > 0.2f * spacing; lift *= 0.5f) {
+    Vec3<float> lifted = inner, push = shortest;
+    for (int walls = 0; walls <= 3 && !is_zero(push); ++walls) {
+      const Vec3<float> out = lifted + push, before = lifted;
+      lift_off(push.x, out.x, domain.min.x, domain.max.x, lift, lifted.x);
+      lift_off(push.y, out.y, domain.min.y, domain.max.y, lift, lifted.y);
+      lift_off(push.z, out.z, domain.min.z, domain.max.z, lift, lifted.z);
+      if (is_zero(lifted - before))
+        return walls == 0 ? out : p + push;
+      push = shortest_push(lifted);
+    }
+  }
+  return inner + shortest;
+}
+
+SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> PosedBody::sweep(const Vec3<float>& from,
+                                                                 const Vec3<float>& p) const {
+  constexpr float most_pieces = 1000;
+  const Vec3<float> first = start.back(from), last = pose.back(p);
+  const Vec3<float> low{std::min(first.x, last.x), std::min(first.y, last.y),
+                        std::min(first.z, last.z)};
+  const Vec3<float> high{std::max(first.x, last.x), std::max(first.y, last.y),
+                         std::max(first.z, last.z)};
+  if (!overlap(low, high, bounds, 2e-3f * spacing))
+    return p;
+  const Vec3<float> way = last - first;
+  const float pieces = std::clamp(std::ceil(square_root(dot(way, way)) / reach), 1.f, most_pieces);
+  const Vec3<float> piece = (1 / pieces) * way;
+  Vec3<float> q = first;
+  bool held = false;
+  for (int k = 0; k < static_cast<int>(pieces); ++k) {
+    q = q + piece;
+    const Vec3<float> free = pose(q), out = hold(free);
+    if (is_zero(out - free))
+      continue;
+    held = true;
+    q = pose.back(out);
+  }
+  return held ? pose(q) : p;
+}
+
+SPINDRIFT_HD inline float PosedBody::depth(const Vec3<float>& p) const {
+  const Vec3<float> q = pose.back(p);
+  if (!overlap(q, q, bounds, 0))
+    return 0;
+  const Vec3<float> push = push_out(solid, q) - q;
+  return square_root(dot(push, push));
+}
+
 /// The bodies of all obstacles that move, over a step between two times, s.
+/// @param solids of all obstacles, as loops are to find them
+std::vector<PosedBody> posed_bodies(const Settings& settings, std::span<const Solid> solids,
+                                    double start, double end);
+/// The same for the processor.
 std::vector<PosedBody> posed_bodies(const Settings& settings, double start, double end);
 
 }  // namespace spindrift::sim

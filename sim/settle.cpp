@@ -74,7 +74,7 @@ struct Settling {
     executor.for_each("settle", particles.count,
                       [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
     neighbourhood.update(executor, particles, radius);
-    inflow.mark(particles);
+    inflow.mark(executor, particles);
   }
 
   Compression compression() {

@@ -18,7 +18,7 @@ Solid solid(const Capsule& c) {
   return {.kind = Solid::Kind::capsule, .a = c.from, .b = c.to, .radius = c.radius};
 }
 Solid solid(const TriangleMesh& m) {
-  return {.kind = Solid::Kind::mesh, .mesh = m.body.get()};
+  return {.kind = Solid::Kind::mesh, .mesh = &m.body->view()};
 }
 
 }  // namespace
@@ -34,21 +34,8 @@ std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles) {
   return solids;
 }
 
-Vec3<float> push_out(const Solid& solid, Vec3<float> p) {
-  if (solid.kind == Solid::Kind::mesh)
-    return from_glm(solid.mesh->push_out({p.x, p.y, p.z}));
-  return push_out_of_formula(solid, p);
-}
-
 Vec3<float> push_out(const Shape& shape, Vec3<float> p) {
   return push_out(solid_of(shape), p);
-}
-
-bool contains(const Solid& solid, Vec3<float> p) {
-  if (solid.kind == Solid::Kind::mesh)
-    return solid.mesh->contains({p.x, p.y, p.z});
-  const Vec3<float> moved = push_out_of_formula(solid, p) - p;
-  return dot(moved, moved) > 0;
 }
 
 bool contains(const Shape& shape, Vec3<float> p) {

@@ -7,6 +7,7 @@
 #include "sim/from_glm.hpp"
 #include "sim/real.hpp"
 #include "sim/settings.hpp"
+#include "sim/shapes/mesh_view.hpp"
 
 namespace spindrift::sim {
 
@@ -16,19 +17,27 @@ struct Solid {
   Kind kind = Kind::box;
   glm::vec3 a{0.f}, b{0.f};        ///< a box's corners, the ends of a line, a centre, m
   float radius = 0;                ///< m
-  const MeshBody* mesh = nullptr;  ///< on the processor only
+  const MeshView* mesh = nullptr;  ///< where loops find it
 };
+/// As loops on the processor look at it.
 Solid solid_of(const Shape& shape);
 std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles);
-
-/// The nearest point on the surface of a shape for a point inside it; a point outside comes back as
-/// it is.
-Vec3<float> push_out(const Solid& solid, Vec3<float> p);
-Vec3<float> push_out(const Shape& shape, Vec3<float> p);
-
-/// Whether a point is inside a shape.
-bool contains(const Solid& solid, Vec3<float> p);
-bool contains(const Shape& shape, Vec3<float> p);
+/// As loops look at it that find meshes elsewhere.
+/// @param meshes has `const MeshView* view_of(const MeshBody&)`
+template <class Meshes>
+Solid solid_of(const Shape& shape, Meshes& meshes) {
+  Solid solid = solid_of(shape);
+  if (const auto* mesh = std::get_if<TriangleMesh>(&shape))
+    solid.mesh = meshes.view_of(*mesh->body);
+  return solid;
+}
+template <class Meshes>
+std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles, Meshes& meshes) {
+  std::vector<Solid> solids;
+  for (const Obstacle& obstacle : obstacles)
+    solids.push_back(solid_of(obstacle.shape, meshes));
+  return solids;
+}
 
 /// A direction across an axis of unit length.
 SPINDRIFT_HD inline glm::vec3 across(const glm::vec3& axis) {
@@ -87,7 +96,8 @@ SPINDRIFT_HD inline glm::vec3 push_out_of_capsule(const Solid& s, const glm::vec
 }
 
 /// As push_out(), of all shapes but meshes.
-SPINDRIFT_HD inline Vec3<float> push_out_of_formula(const Solid& s, const Vec3<float>& p) {
+SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> push_out_of_formula(const Solid& s,
+                                                                    const Vec3<float>& p) {
   const glm::vec3 q(p.x, p.y, p.z);
   switch (s.kind) {
     case Solid::Kind::box:
@@ -103,5 +113,22 @@ SPINDRIFT_HD inline Vec3<float> push_out_of_formula(const Solid& s, const Vec3<f
   }
   return p;
 }
+
+/// The nearest point on the surface of a shape for a point inside it; a point outside comes back as
+/// it is.
+SPINDRIFT_HD inline Vec3<float> push_out(const Solid& s, const Vec3<float>& p) {
+  return s.kind == Solid::Kind::mesh ? from_glm(s.mesh->push_out({p.x, p.y, p.z}))
+                                     : push_out_of_formula(s, p);
+}
+Vec3<float> push_out(const Shape& shape, Vec3<float> p);
+
+/// Whether a point is inside a shape.
+SPINDRIFT_HD inline bool contains(const Solid& s, const Vec3<float>& p) {
+  if (s.kind == Solid::Kind::mesh)
+    return s.mesh->grid.at({p.x, p.y, p.z}).distance < 0;
+  const Vec3<float> moved = push_out(s, p) - p;
+  return dot(moved, moved) > 0;
+}
+bool contains(const Shape& shape, Vec3<float> p);
 
 }  // namespace spindrift::sim

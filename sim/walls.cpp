@@ -1,6 +1,7 @@
 #include "sim/walls.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 
 #include "sim/motion.hpp"
@@ -11,16 +12,15 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 Walls::Walls(const Settings& settings, const GridMap& map, float radius)
     : fixed_(without_moving(settings)),
       boundary_(fixed_, map, radius),
-      solids_(fixed_.obstacles.size()),
       moving_(any_moves(settings.obstacles)
-                  ? std::make_unique<MovingBodies>(settings, map, boundary_)
+                  ? std::make_unique<MovingBodies>(settings, map, boundary_, meshes_)
                   : nullptr) {
-  const std::vector<Solid> solids = solids_of(fixed_.obstacles);
-  std::copy(solids.begin(), solids.end(), solids_.begin());
+  put(solids_, solids_of(fixed_.obstacles, meshes_));
 }
 
 ContactView Walls::contact() const {
-  const std::span<const PosedBody> bodies = moving_ ? moving_->bodies() : decltype(bodies){};
+  const std::span<const PosedBody> bodies =
+      moving_ ? std::span(moving_->bodies().data(), moving_->bodies().size()) : decltype(bodies){};
   return {from_glm(fixed_.domain.min), from_glm(fixed_.domain.max),
           ObstacleView{solids_.data(), static_cast<std::uint32_t>(solids_.size()), bodies},
           OpenFaces(fixed_.domain)};
@@ -33,13 +33,6 @@ void Walls::move(Executor& executor, double start, double end) {
 
 double Walls::step_within(double distance, double time, double longest) const {
   return moving_ ? moving_->step_within(distance, time, longest) : longest;
-}
-
-void Walls::set_sample(std::uint32_t b, float volume, float solid) {
-  if (moving_)
-    moving_->set_sample(b, volume, solid);
-  else
-    boundary_.set_sample(b, volume, solid);
 }
 
 std::vector<float> Walls::pressures() const {
@@ -60,7 +53,8 @@ void Walls::set_pressures(const std::vector<float>& pressures) {
 }
 
 std::size_t Walls::memory_bytes() const {
-  return boundary_.memory_bytes() + (moving_ ? moving_->memory_bytes() : 0);
+  return boundary_.memory_bytes() + meshes_.memory_bytes() +
+         (moving_ ? moving_->memory_bytes() : 0);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

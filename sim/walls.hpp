@@ -11,6 +11,20 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+/// Changes how much a sample of what is fixed stands for: nothing where a nozzle opens the wall.
+/// Where anything moves, from the next time on that samples are put where they are.
+struct SampleSetter {
+  Boundary::Sample* of_moving;  ///< null where nothing moves
+  PointView samples;            ///< with their volumes
+  float* solid;
+
+  /// @param b its number before Walls::move() was called first
+  SPINDRIFT_HD void set(std::uint32_t b, float new_volume, float new_solid) const {
+    (of_moving != nullptr ? of_moving[b].volume : samples.value(b)) = new_volume;
+    (of_moving != nullptr ? of_moving[b].solid : solid[b]) = new_solid;
+  }
+};
+
 class Walls {
  public:
   /// @param map of all places where particles may be @param radius the support radius, m
@@ -28,9 +42,9 @@ class Walls {
   /// As MovingBodies::step_within.
   double step_within(double distance, double time, double longest) const;
 
-  /// Changes how much a sample of what is fixed stands for: nothing where a nozzle opens the wall.
-  /// @param b its number before move() was called first
-  void set_sample(std::uint32_t b, float volume, float solid);
+  SampleSetter sample_setter() {
+    return {moving_ ? moving_->samples() : nullptr, boundary_.positions(), boundary_.solids()};
+  }
 
   /// Pressures of all samples, in an order that does not depend on where they are, Pa.
   std::vector<float> pressures() const;
@@ -41,6 +55,7 @@ class Walls {
 
  private:
   Settings fixed_;  ///< without the obstacles that move
+  Meshes meshes_;
   Boundary boundary_;
   Array<Solid> solids_;                   ///< what is fixed, but for the domain
   std::unique_ptr<MovingBodies> moving_;  ///< null where nothing moves

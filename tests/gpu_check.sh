@@ -36,7 +36,7 @@ bench() { # BACKEND
 
 check tests "$build/tests/test_gpu"
 check memcheck sanitizer memcheck
-# Shared memory is used by Thrust's algorithms alone; a step has all of them.
+# Shared memory is used by reductions and by sorts, sums and selections alone; a step has all of them.
 check racecheck sanitizer racecheck "a step on the device is the processor's"
 check bench_cpu bench cpu
 check bench_cuda bench cuda

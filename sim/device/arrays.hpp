@@ -2,10 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "sim/device/loops.hpp"
 #include "sim/device/memory.hpp"
 #include "sim/real.hpp"
 
@@ -13,6 +14,13 @@ namespace spindrift::sim::inline device {
 
 /// What stands beside each other is read together: by the threads of a warp.
 constexpr int lane_count = 32;
+
+/// Sets n numbers to one value, after all that the device was given before.
+template <class T>
+void fill(T* values, std::size_t n, const T& value) {
+  const T one = value;
+  launch(static_cast<std::uint32_t>(n), [=] SPINDRIFT_HD(std::uint32_t k) { values[k] = one; });
+}
 
 /// As much of a vector as fields need. The processor may look at elements after wait().
 template <class T>
@@ -34,21 +42,22 @@ class Array {
     if (capacity <= capacity_)
       return;
     T* const larger = static_cast<T*>(allocate(capacity * sizeof(T)));
+    copy_in(larger, data_, size_ * sizeof(T));
     wait();
-    if (size_ > 0)
-      std::memcpy(larger, data_, size_ * sizeof(T));
     release(data_);
     data_ = larger;
     capacity_ = capacity;
   }
+  /// Where that takes no memory, the device writes the new values, and is not waited for.
   void resize(std::size_t size, const T& value = T{}) {
-    if (size > capacity_)
+    const bool larger = size > capacity_;
+    if (larger)
       reserve(size + size / 16);
-    if (size > size_) {
-      wait();
-      std::fill(data_ + size_, data_ + size, value);
-    }
+    if (size > size_)
+      fill(data_ + size_, size - size_, value);
     size_ = size;
+    if (larger)
+      wait();
   }
   /// Makes room for so many values; what they were is lost.
   void renew(std::size_t size) {
@@ -89,9 +98,22 @@ class Array {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
+/// Sets all values to one.
+template <class T>
+void set_all(Array<T>& values, const T& value) {
+  fill(values.data(), values.size(), value);
+}
+
 template <class T>
 void grow(Array<T>& values, std::size_t size) {
   values.renew(size);
+}
+
+/// Takes over numbers of the processor's, after all that the device was given before.
+template <class T>
+void put(Array<T>& values, const std::vector<T>& from) {
+  values.renew(from.size());
+  copy_in(values.data(), from.data(), from.size() * sizeof(T));
 }
 
 }  // namespace spindrift::sim::inline device

@@ -1,6 +1,7 @@
 #include "sim/device/cell_grid.hpp"
 
-#include "sim/device/thrust.hpp"
+#include "sim/device/algorithms.hpp"
+#include "sim/device/loops.hpp"
 
 namespace spindrift::sim::inline device {
 
@@ -24,10 +25,11 @@ void CellGrid::sort(const GridMap& map, const PointView& points, std::uint32_t c
   keys = keys_.data();
   cell_begins_.renew(std::size_t{count} + 1);
   std::uint32_t* begins = cell_begins_.data();
-  const auto* end = thrust::copy_if(
-      thrust::device(scratch_), Counting(0), Counting(count), begins,
-      [=] SPINDRIFT_HD(std::uint32_t k) { return k == 0 || keys[k] != keys[k - 1]; });
-  const auto cells = static_cast<std::uint32_t>(end - begins);
+  begins_cell_.renew(count);
+  std::uint8_t* begins_cell = begins_cell_.data();
+  launch(count,
+         [=] SPINDRIFT_HD(std::uint32_t k) { begins_cell[k] = k == 0 || keys[k] != keys[k - 1]; });
+  const std::uint32_t cells = find_flagged(scratch_, begins_cell, count, begins);
   cell_keys_.renew(cells);
   cell_begins_.renew(std::size_t{cells} + 1);
   std::uint64_t* cell_keys = cell_keys_.data();
@@ -53,11 +55,12 @@ void CellGrid::forget_order() {
   order_ = {};
   other_order_ = {};
   keys_ = {};
+  begins_cell_ = {};
   other_keys_ = {};
 }
 
 std::size_t CellGrid::memory_bytes() const {
-  return scratch_.memory_bytes() +
+  return scratch_.memory_bytes() + begins_cell_.capacity() +
          8 * (keys_.capacity() + other_keys_.capacity() + cell_keys_.capacity()) +
          4 * (order_.capacity() + other_order_.capacity() + cell_begins_.capacity());
 }

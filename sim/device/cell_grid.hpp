@@ -26,6 +26,7 @@ class CellGrid {
   Scratch scratch_;
   Array<std::uint32_t> order_, other_order_;
   Array<std::uint64_t> keys_, other_keys_;  ///< of each point
+  Array<std::uint8_t> begins_cell_;         ///< per point: whether it is the first of its cell
   Array<std::uint64_t> cell_keys_;
   Array<std::uint32_t> cell_begins_;
 };

@@ -1,6 +1,6 @@
 #include "sim/device/cell_neighbours.hpp"
 
-#include "sim/device/thrust.hpp"
+#include "sim/device/loops.hpp"
 
 namespace spindrift::sim::inline device {
 

@@ -1,6 +1,5 @@
 #include "sim/device/device_engine.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "sim/engine.hpp"
@@ -29,28 +28,6 @@ std::string device_name() {
 #else
   return "the processor's cores, by Thrust";
 #endif
-}
-
-std::string missing_on_device(const Settings& settings) {
-  const auto is_mesh = [](const Obstacle& o) {
-    return std::holds_alternative<TriangleMesh>(o.shape);
-  };
-  const auto moves = [](const Obstacle& o) { return o.motion.has_value(); };
-  const auto any = [&](auto which) {
-    return std::any_of(settings.obstacles.begin(), settings.obstacles.end(), which);
-  };
-  const auto not_yet = [](const std::string& what) {
-    return "the scene has " + what + ", which the CUDA backend cannot do yet";
-  };
-  if (any(moves))
-    return not_yet("obstacles that move");
-  if (any(is_mesh))
-    return not_yet("obstacles that are meshes");
-  if (!settings.fluid.emitters.empty())
-    return not_yet("emitters");
-  if (settings.exchanges_particles())
-    return not_yet("sinks or open faces");
-  return {};
 }
 
 std::unique_ptr<Engine> make_device_engine(const Settings& settings) {

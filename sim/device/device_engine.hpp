@@ -11,9 +11,6 @@ namespace spindrift::sim {
 /// The device that loops run on. @throws std::runtime_error where there is none that can, why
 std::string device_name();
 
-/// What the settings ask for that the device backend does not do yet, in words; empty: nothing.
-std::string missing_on_device(const Settings& settings);
-
 std::unique_ptr<Engine> make_device_engine(const Settings& settings);
 std::unique_ptr<Engine> make_device_engine(const Settings& settings, const Frame& start);
 

@@ -4,19 +4,30 @@
 
 #include <string_view>
 
+#include "sim/device/algorithms.hpp"
 #include "sim/device/arrays.hpp"
-#include "sim/device/thrust.hpp"
+#include "sim/device/loops.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
 
 namespace spindrift::sim::inline device {
 
+/// A number or a few that loops make and look at, one after the other, and the processor now and
+/// then.
 template <class T>
-struct Join {
-  SPINDRIFT_HD T operator()(T a, const T& b) const {
-    a.join(b);
-    return a;
-  }
+class Kept {
+ public:
+  /// How many loops that change it the processor should begin before it looks at it again.
+  static constexpr int look_every = 4;
+
+  /// As loops look at it: with view->member.
+  const T* view() const { return value_.data(); }
+  /// As the processor does; waits.
+  T look() const { return fetched(value_.data()); }
+  T* place() { return value_.data(); }
+
+ private:
+  Array<T> value_ = Array<T>(1);
 };
 
 class Executor {
@@ -28,24 +39,7 @@ class Executor {
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
     const PhaseClock::Scope timed(clock_, name);
-    if (n > 0)
-      launch(n, f);
-  }
-
-  /// The same on the processor, one after the other, for what the device cannot do.
-  template <class F>
-  void for_each_on_host(std::string_view name, Index n, F f) {
-    const PhaseClock::Scope timed(clock_, name);
-    wait();
-    for (Index i = 0; i < n; ++i)
-      f(i);
-  }
-
-  template <class T, class F>
-  T reduce_on_host(std::string_view name, Index n, F f) {
-    T total;
-    for_each_on_host(name, n, [&](Index i) { total.join(f(i)); });
-    return total;
+    launch(n, f);
   }
 
   /// Like for_each, and joins what f returns, in an order that depends on n and the kind of device
@@ -55,18 +49,30 @@ class Executor {
     const PhaseClock::Scope timed(clock_, name);
     if (n == 0)
       return {};
-    return thrust::transform_reduce(thrust::device(scratch_), Counting(0), Counting(n), f, T{},
-                                    Join<T>{});
+    char* const room = scratch_.allocate(sizeof(T));
+    T* const result = reinterpret_cast<T*>(room);
+    join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { *result = total; });
+    scratch_.deallocate(room, sizeof(T));
+    return fetched(result);
+  }
+
+  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  template <class T, class State, class F, class Use>
+  void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    const PhaseClock::Scope timed(clock_, name);
+    State* const to = state.place();
+    join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { use(*to, total); });
   }
 
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
     const PhaseClock::Scope timed(clock_, name);
+    flags_.renew(n);
+    std::uint8_t* flags = flags_.data();
+    launch(n, [=] SPINDRIFT_HD(Index i) { flags[i] = f(i); });
     chosen.renew(n);
-    const auto* end =
-        thrust::copy_if(thrust::device(scratch_), Counting(0), Counting(n), chosen.data(), f);
-    chosen.renew(static_cast<std::size_t>(end - chosen.data()));
+    chosen.renew(find_flagged(scratch_, flags, n, chosen.data()));
   }
 
   /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
@@ -80,13 +86,15 @@ class Executor {
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }
   std::size_t memory_bytes() const {
-    return scratch_.memory_bytes() + 4 * (places_.capacity() + other_places_.capacity() +
-                                          terms_.capacity() + other_terms_.capacity());
+    return scratch_.memory_bytes() + flags_.capacity() +
+           4 * (places_.capacity() + other_places_.capacity() + terms_.capacity() +
+                other_terms_.capacity());
   }
 
  private:
   PhaseClock clock_;
   Scratch scratch_;
+  Array<std::uint8_t> flags_;                                         ///< of select()
   Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
 };
 

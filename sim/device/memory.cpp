@@ -54,8 +54,19 @@ void wait() {
   check(cudaDeviceSynchronize());
 }
 
+void check_launch() {
+  check(cudaGetLastError());
+}
+
 void copy_out(void* to, const void* from, std::size_t bytes) {
   check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost));
+}
+
+/// From memory that the system may move, such a copy is made before the call returns, as far as the
+/// processor's side goes: `from` is free again.
+void copy_in(void* to, const void* from, std::size_t bytes) {
+  if (bytes > 0)
+    check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault));
 }
 
 #else
@@ -78,8 +89,15 @@ void release(void* memory) noexcept {
 
 void wait() {}
 
+void check_launch() {}
+
 void copy_out(void* to, const void* from, std::size_t bytes) {
   std::memcpy(to, from, bytes);
+}
+
+void copy_in(void* to, const void* from, std::size_t bytes) {
+  if (bytes > 0)
+    std::memcpy(to, from, bytes);
 }
 
 #endif

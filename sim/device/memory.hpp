@@ -16,8 +16,15 @@ void release(void* memory) noexcept;
 /// @throws std::runtime_error when something went wrong there
 void wait();
 
+/// @throws std::runtime_error when what was last given to the device cannot begin
+void check_launch();
+
 /// Waits, and copies out of the device's memory, which stays where it is.
 void copy_out(void* to, const void* from, std::size_t bytes);
+
+/// Copies into the device's memory, after all that the device was given before; the processor may
+/// write over its own numbers again at once.
+void copy_in(void* to, const void* from, std::size_t bytes);
 
 /// One number of the device's.
 template <class T>

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/device/thrust.hpp"
+#include "sim/device/algorithms.hpp"
+#include "sim/device/loops.hpp"
 
 namespace spindrift::sim::inline device {
 namespace {
@@ -80,7 +81,7 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Point
       longest = counts[i] > longest ? counts[i] : longest;
     begins[g] = longest;
   });
-  thrust::exclusive_scan(thrust::device(scratch_), begins, begins + groups + 1, begins);
+  sum_up(scratch_, begins, groups + 1);
   numbers_.renew(fetched(begins + groups) * lane_count);
   std::uint32_t* numbers = numbers_.data();
   launch(count, [=] SPINDRIFT_HD(std::uint32_t i) {

@@ -1,6 +1,7 @@
 // Arrays on the processor.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sim/real.hpp"
@@ -19,6 +20,18 @@ void grow(std::vector<T>& values, std::size_t size) {
     values.reserve(size + size / 8);
   }
   values.resize(size);
+}
+
+/// Sets all values to one.
+template <class T>
+void set_all(std::vector<T>& values, const T& value) {
+  std::fill(values.begin(), values.end(), value);
+}
+
+/// Takes over numbers of the processor's.
+template <class T>
+void put(std::vector<T>& values, const std::vector<T>& from) {
+  values = from;
 }
 
 }  // namespace spindrift::sim::inline openmp

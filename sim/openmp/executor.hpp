@@ -16,6 +16,28 @@
 
 namespace spindrift::sim::inline openmp {
 
+/// A number or a few that loops make and look at, one after the other, and the processor now and
+/// then.
+template <class T>
+class Kept {
+ public:
+  /// How many loops that change it the processor should begin before it looks at it again.
+  static constexpr int look_every = 1;
+
+  struct View {
+    T value;
+    const T* operator->() const { return &value; }
+  };
+  /// As loops look at it: with view->member.
+  View view() const { return {value_}; }
+  /// As the processor does.
+  const T& look() const { return value_; }
+  T* place() { return &value_; }
+
+ private:
+  T value_{};
+};
+
 class Executor {
  public:
   using Index = std::uint32_t;
@@ -33,12 +55,6 @@ class Executor {
       for (Index i = begin; i < end; ++i)
         f(i);
     }
-  }
-
-  /// The same for what runs on the processor only, whatever the backend.
-  template <class F>
-  void for_each_on_host(std::string_view name, Index n, F f) {
-    for_each(name, n, f);
   }
 
   /// Like for_each, and joins what f returns: block by block in order, so that the result of a
@@ -63,9 +79,10 @@ class Executor {
     return total;
   }
 
-  template <class T, class F>
-  T reduce_on_host(std::string_view name, Index n, F f) {
-    return reduce<T>(name, n, f);
+  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  template <class T, class State, class F, class Use>
+  void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    use(*state.place(), reduce<T>(name, n, f));
   }
 
   /// The i in [0, n) for which f(i) holds, in order.

@@ -1,7 +1,6 @@
 #include "sim/shapes/distance_grid.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace spindrift::sim {
 namespace {
@@ -87,37 +86,6 @@ void DistanceGrid::fill_block(const TriangleTree& tree, std::size_t block, float
         guess = nearest.triangle;
         *value = side * nearest.distance;
       }
-}
-
-DistanceGrid::Value DistanceGrid::at(const glm::vec3& p) const {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const glm::vec3 u = (p - origin_) * (1 / cell_);
-  const glm::ivec3 cells = block_cells * counts_;
-  const bool within = u.x >= 0 && u.y >= 0 && u.z >= 0 && u.x < static_cast<float>(cells.x) &&
-                      u.y < static_cast<float>(cells.y) && u.z < static_cast<float>(cells.z);
-  if (!within)
-    return {infinity, glm::vec3(0)};
-  const glm::ivec3 cell(u), place = cell / block_cells, local = cell - block_cells * place;
-  const std::int32_t block =
-      blocks_[(std::size_t(place.z) * counts_.y + place.y) * counts_.x + place.x];
-  if (block < 0)
-    return {block == outside ? infinity : -infinity, glm::vec3(0)};
-
-  constexpr std::size_t row = block_nodes, layer = row * block_nodes;
-  const float* v = values_.data() + (std::size_t(block) * block_nodes + local.z) * layer +
-                   local.y * row + local.x;
-  const glm::vec3 t = u - glm::vec3(cell);
-  const auto mix = [](float a, float b, float s) { return a + s * (b - a); };
-  // Linear along x on the cell's four edges, then along y on two faces, then along z.
-  const float near_low = mix(v[0], v[1], t.x), near_high = mix(v[row], v[row + 1], t.x);
-  const float far_low = mix(v[layer], v[layer + 1], t.x),
-              far_high = mix(v[layer + row], v[layer + row + 1], t.x);
-  const float near = mix(near_low, near_high, t.y), far = mix(far_low, far_high, t.y);
-  const float along_x =
-      mix(mix(v[1] - v[0], v[row + 1] - v[row], t.y),
-          mix(v[layer + 1] - v[layer], v[layer + row + 1] - v[layer + row], t.y), t.z);
-  const float along_y = mix(near_high - near_low, far_high - far_low, t.z);
-  return {mix(near, far, t.z), (1 / cell_) * glm::vec3(along_x, along_y, far - near)};
 }
 
 }  // namespace spindrift::sim

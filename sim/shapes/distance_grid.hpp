@@ -20,16 +20,20 @@ class DistanceGrid {
   DistanceGrid(const TriangleTree& tree, const glm::vec3& low, const glm::vec3& high, float cell,
                float depth);
 
-  struct Value {
-    float distance;      ///< m; infinite, with its sign, where nothing is stored
-    glm::vec3 gradient;  ///< of the distance
-  };
-  Value at(const glm::vec3& p) const;
+  using Value = DistanceGridView::Value;
+  Value at(const glm::vec3& p) const { return view().at(p); }
+
+  DistanceGridView view() const {
+    return {origin_, cell_, counts_, blocks_.data(), values_.data()};
+  }
+  const std::vector<std::int32_t>& blocks() const { return blocks_; }
+  const std::vector<float>& values() const { return values_; }
 
  private:
-  static constexpr int block_cells = 8;
-  static constexpr int block_nodes = block_cells + 1;  // neighbours have a layer in common
-  static constexpr std::int32_t outside = -1, inside = -2;
+  static constexpr int block_cells = DistanceGridView::block_cells;
+  static constexpr int block_nodes = DistanceGridView::block_nodes;
+  static constexpr std::int32_t outside = DistanceGridView::outside,
+                                inside = DistanceGridView::inside;
 
   void sort_blocks(const TriangleTree& tree, std::size_t first, float depth);
   void fill_block(const TriangleTree& tree, std::size_t block, float depth);

@@ -3,6 +3,12 @@
 #include "sim/shapes/mesh_samples.hpp"
 
 namespace spindrift::sim {
+namespace {
+
+/// Distances inside are right down to here, in spacings.
+constexpr float right_down_to = 1.5f;
+
+}  // namespace
 
 Box bounds_of(const TriangleSurface& surface) {
   const glm::vec3& first = surface.vertices[surface.triangles[0].x];
@@ -19,23 +25,8 @@ MeshBody::MeshBody(TriangleSurface surface, float spacing)
     : surface_(std::move(surface)),
       bounds_(bounds_of(surface_)),
       tree_(surface_),
-      depth_(1.5f * spacing),
-      tolerance_(0.05f * spacing),
-      grid_(tree_, bounds_.min, bounds_.max, 0.5f * spacing, depth_) {}
-
-glm::vec3 MeshBody::push_out(const glm::vec3& p) const {
-  const DistanceGrid::Value value = grid_.at(p);
-  if (value.distance >= 0)
-    return p;
-  const float slope = glm::length(value.gradient);
-  if (value.distance > -depth_ && slope > 0.5f) {
-    const glm::vec3 out = p - (value.distance / slope) * value.gradient;
-    if (grid_.at(out).distance > -tolerance_)
-      return out;
-  }
-  // Midway between two sides, and far inside, the gradient does not tell the way out.
-  return tree_.nearest(p).point;
-}
+      grid_(tree_, bounds_.min, bounds_.max, 0.5f * spacing, right_down_to * spacing),
+      view_{tree_.view(), grid_.view(), right_down_to * spacing, 0.05f * spacing} {}
 
 std::vector<SurfaceSample> MeshBody::sample(float spacing) const {
   return sample_mesh(surface_, tree_, spacing);

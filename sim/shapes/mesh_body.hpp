@@ -21,6 +21,8 @@ class MeshBody {
   /// @param surface closed: each edge is passed as often in one direction as in the other
   /// @param spacing of the particles that the body will meet, m
   MeshBody(TriangleSurface surface, float spacing);
+  MeshBody(const MeshBody&) = delete;
+  MeshBody& operator=(const MeshBody&) = delete;
 
   const TriangleSurface& surface() const { return surface_; }
   const Box& bounds() const { return bounds_; }
@@ -30,19 +32,22 @@ class MeshBody {
   /// The nearest point on the surface for a point inside; a point outside comes back as it is.
   /// Within a few hundredths of a spacing of the surface, and 0.15 at sharp edges, which come out
   /// rounded. Walls thinner than half a spacing are not seen.
-  glm::vec3 push_out(const glm::vec3& p) const;
+  glm::vec3 push_out(const glm::vec3& p) const { return view_.push_out(p); }
 
   /// Samples half a spacing below the surface, about one per spacing². Walls thinner than 1.25
   /// spacings have one layer, in their middle, which is closer.
   std::vector<SurfaceSample> sample(float spacing) const;
 
+  const MeshView& view() const { return view_; }
+  const TriangleTree& tree() const { return tree_; }
+  const DistanceGrid& grid() const { return grid_; }
+
  private:
   TriangleSurface surface_;
   Box bounds_;
   TriangleTree tree_;
-  float depth_;      ///< down to which the grid's distances are right, m
-  float tolerance_;  ///< within which a point counts as on the surface, m
   DistanceGrid grid_;
+  MeshView view_;
 };
 
 }  // namespace spindrift::sim

@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "sim/shapes/mesh_view.hpp"
+
 namespace spindrift::sim {
 
 /// Triangles with shared vertices, counter-clockwise seen from outside the body that they bound.
@@ -19,36 +21,29 @@ class TriangleTree {
   /// @param surface at least one triangle
   explicit TriangleTree(const TriangleSurface& surface);
 
-  struct Nearest {
-    glm::vec3 point;         ///< on the surface, m
-    float distance;          ///< m
-    std::uint32_t triangle;  ///< its number in the tree
-  };
+  using Nearest = NearestPoint;
   /// The surface's point nearest to p.
   /// @param guess the nearest triangle of a point close by, which makes it faster
   /// @param tolerance by which part the distance may be too large; some makes it much faster midway
   /// between many triangles, as in the centre of a ball
-  Nearest nearest(const glm::vec3& p, std::uint32_t guess = 0, float tolerance = 0) const;
+  Nearest nearest(const glm::vec3& p, std::uint32_t guess = 0, float tolerance = 0) const {
+    return view().nearest(p, guess, tolerance);
+  }
 
   /// How often the surface winds around p: 0 outside, 1 inside; more where closed surfaces overlap.
   /// Exact, whichever way the triangles meet, when each edge is passed as often in one direction as
   /// in the other.
   int winding_number(const glm::vec3& p) const;
 
+  TriangleTreeView view() const { return {triangles_.data(), nodes_.data()}; }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<TriangleNode>& nodes() const { return nodes_; }
+
  private:
-  struct Triangle {
-    glm::vec3 a, b, c;
-  };
-  /// A leaf holds triangles first ... first + count; a node with count 0 has its children at the
-  /// next place and at `first`.
-  struct Node {
-    glm::vec3 low, high;
-    std::uint32_t first, count;
-  };
   void build(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Triangle> triangles_;
-  std::vector<Node> nodes_;
+  std::vector<TriangleNode> nodes_;
 };
 
 }  // namespace spindrift::sim

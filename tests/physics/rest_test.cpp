@@ -83,7 +83,7 @@ TEST_CASE("steps that change length from one to the next leave a tank at rest") 
   CHECK(largest < 0.5);
 }
 
-TEST_CASE("a tank at rest gains no energy, however short the steps") {
+TEST_CASE("a tank at rest gains no energy, however short the steps", "[slow]") {
   Settings s = tank(SolverType::pcisph);
   s.solver.mean_compression = 1e-3f;
   s.fluid.viscosity = 0.01f;

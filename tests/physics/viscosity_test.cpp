@@ -60,7 +60,7 @@ double duct_error(const Settings& s, double time) {
 
 }  // namespace
 
-TEST_CASE("liquid that sticks to a duct's walls falls through it as theory says") {
+TEST_CASE("liquid that sticks to a duct's walls falls through it as theory says", "[slow]") {
   const double coarse = duct_error(duct(50, 0.1f, 10), 0.06);
   const double fine = duct_error(duct(50, 0.1f, 20), 0.06);
   CAPTURE(coarse, fine);

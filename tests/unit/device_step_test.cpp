@@ -3,10 +3,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "sim/device/device_engine.hpp"
 #include "sim/engine.hpp"
+#include "sim/motion.hpp"
+#include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 
 using namespace spindrift::sim;
@@ -30,6 +34,60 @@ Settings splash() {
   return s;
 }
 
+/// A cube, as a mesh.
+TriangleMesh mesh_cube(const glm::vec3& center, float half_edge, float spacing) {
+  TriangleSurface cube;
+  for (int k = 0; k < 8; ++k)
+    cube.vertices.push_back(center +
+                            half_edge * glm::vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
+  cube.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  TriangleMesh mesh;
+  mesh.body = std::make_shared<MeshBody>(cube, spacing);
+  return mesh;
+}
+
+/// The same column, on a mesh, with a drop that falls on another mesh's corner.
+Settings over_a_mesh() {
+  Settings s = splash();
+  s.obstacles.clear();
+  s.obstacles.push_back({.shape = mesh_cube({0.5f, 0.08f, 0.2f}, 0.08f, s.fluid.spacing)});
+  s.obstacles.push_back({.shape = mesh_cube({0.6f, 0.15f, 0.3f}, 0.1f, s.fluid.spacing)});
+  return s;
+}
+
+/// A plate that is pulled to and fro through the column, along the floor, and a mesh that turns.
+Settings stirred() {
+  Settings s = splash();
+  s.fluid.viscosity = 0.5f;
+  s.fluid.wall_viscosity = 0.5f;
+  Motion swing;
+  swing.oscillations = {{.translate = {0.1f, 0, 0}, .rotate = {0, 0, 20}, .frequency = 2}};
+  swing.pivot = {0.45f, 0.2f, 0.2f};
+  Motion turn;
+  turn.pivot = {0.75f, 0.2f, 0.2f};
+  turn.spin = Spin{{0, 0, 1}, 1};
+  s.obstacles = {{.shape = Box{{0.4f, 0, 0.05f}, {0.5f, 0.4f, 0.35f}}, .motion = swing},
+                 {Sphere{{0.95f, 0.1f, 0.2f}, 0.1f}},
+                 {.shape = mesh_cube({0.75f, 0.2f, 0.2f}, 0.1f, s.fluid.spacing), .motion = turn}};
+  return s;
+}
+
+/// Two jets, one out of the floor, a sink below the column and open faces where the drop is.
+Settings flow() {
+  Settings s = splash();
+  s.obstacles.clear();
+  s.fluid.volumes[1].shape = Sphere{{1.1f, 0.35f, 0.2f}, 0.11f};
+  s.fluid.volumes[1].velocity = {8, 0, 0};
+  s.fluid.emitters = {{.opening = Disc{{0.6f, 0.5f, 0.2f}, {1, 0, 0}, 0.1f}, .speed = 4},
+                      {.opening = Rectangle{{0.9f, 0, 0.2f}, {0, 1, 0}, {0, 0, 1}, 0.15f, 0.15f},
+                       .speed = 3,
+                       .to = 0.02f}};
+  s.sinks = {{Box{{0.1f, -0.1f, 0.1f}, {0.3f, 0.06f, 0.3f}}}};
+  s.domain.open = {Direction::plus_x, Direction::plus_y};
+  return s;
+}
+
 struct Runs {
   Frame cpu, device;
   FrameStatistics cpu_statistics, device_statistics;
@@ -49,13 +107,22 @@ Runs run_both(const Settings& settings, double end) {
 /// How far the particle of any number is from itself on the other backend, at most, m.
 float largest_distance(const Frame& a, const Frame& b) {
   REQUIRE(a.ids.size() == b.ids.size());
-  std::vector<glm::vec3> place(a.ids.size());
+  std::map<std::uint32_t, glm::vec3> place;
   for (std::size_t i = 0; i < a.ids.size(); ++i)
     place[a.ids[i]] = a.positions[i];
   float largest = 0;
   for (std::size_t i = 0; i < b.ids.size(); ++i)
-    largest = std::max(largest, glm::distance(b.positions[i], place[b.ids[i]]));
+    largest = std::max(largest, glm::distance(b.positions[i], place.at(b.ids[i])));
   return largest;
+}
+
+void check_same_exchange(const Exchange& a, const Exchange& b) {
+  CHECK(a.entered == b.entered);
+  CHECK(a.held_back == b.held_back);
+  CHECK(a.drained == b.drained);
+  CHECK(a.left == b.left);
+  CHECK(a.energy_in == Approx(b.energy_in).epsilon(1e-4));
+  CHECK(a.energy_out == Approx(b.energy_out).epsilon(1e-4));
 }
 
 void check_same_after(const Settings& settings, int steps) {
@@ -65,6 +132,9 @@ void check_same_after(const Settings& settings, int steps) {
   CHECK(runs.device_statistics.iterations == runs.cpu_statistics.iterations);
   CHECK(largest_distance(runs.cpu, runs.device) < 1e-4f * settings.fluid.spacing);
   CHECK(runs.device_statistics.contacts == runs.cpu_statistics.contacts);
+  CHECK(runs.device_statistics.wall_work ==
+        Approx(runs.cpu_statistics.wall_work).epsilon(1e-3).margin(1e-9));
+  check_same_exchange(runs.device_statistics.exchange, runs.cpu_statistics.exchange);
 }
 
 }  // namespace
@@ -100,6 +170,21 @@ TEST_CASE("ten steps with viscosity and tension on the device lead where the pro
   check_same_after(s, 10);
 }
 
+TEST_CASE("steps among bodies that move lead where the processor's do on the device") {
+  check_same_after(stirred(), 1);
+  check_same_after(stirred(), 10);
+}
+
+TEST_CASE("steps over a mesh lead where the processor's do on the device") {
+  check_same_after(over_a_mesh(), 1);
+  check_same_after(over_a_mesh(), 10);
+}
+
+TEST_CASE("what comes and goes on the device does so as on the processor") {
+  check_same_after(flow(), 1);
+  check_same_after(flow(), 10);
+}
+
 TEST_CASE("volumes that overlap are let apart on the device as on the processor") {
   Settings s = splash();
   s.fluid.volumes.push_back({Box{{0.22f, 0.32f, 0.1f}, {0.42f, 0.52f, 0.3f}}});
@@ -109,7 +194,19 @@ TEST_CASE("volumes that overlap are let apart on the device as on the processor"
 }
 
 TEST_CASE("a hundred steps on the device compress and iterate as on the processor") {
-  const Settings s = splash();
+  Settings s;
+  SECTION("over obstacles that stand still") {
+    s = splash();
+  }
+  SECTION("among bodies that move") {
+    s = stirred();
+  }
+  SECTION("over a mesh") {
+    s = over_a_mesh();
+  }
+  SECTION("with an emitter, a sink and an open face") {
+    s = flow();
+  }
   const Runs runs = run_both(s, 100 * double{step});
   const FrameStatistics &a = runs.cpu_statistics, &b = runs.device_statistics;
   CHECK(b.steps == a.steps);
@@ -118,27 +215,29 @@ TEST_CASE("a hundred steps on the device compress and iterate as on the processo
   CHECK(b.max_compression == Approx(a.max_compression).margin(0.005));
   CHECK(b.kinetic_energy == Approx(a.kinetic_energy).epsilon(0.01));
   CHECK(b.potential_energy == Approx(a.potential_energy).epsilon(0.01));
-}
-
-TEST_CASE("what the device cannot do yet is said, and nothing else") {
-  const auto missing = [](auto change) {
-    Settings s = splash();
-    change(s);
-    return missing_on_device(s);
-  };
-  CHECK(missing([](Settings&) {}).empty());
-  CHECK(missing([](Settings& s) { s.obstacles[0].motion.emplace(); }) ==
-        "the scene has obstacles that move, which the CUDA backend cannot do yet");
-  CHECK(missing([](Settings& s) { s.obstacles[0].shape = TriangleMesh{}; }) ==
-        "the scene has obstacles that are meshes, which the CUDA backend cannot do yet");
-  CHECK(missing([](Settings& s) { s.fluid.emitters.emplace_back(); }) ==
-        "the scene has emitters, which the CUDA backend cannot do yet");
-  CHECK(missing([](Settings& s) { s.sinks.emplace_back(); }) ==
-        "the scene has sinks or open faces, which the CUDA backend cannot do yet");
+  CHECK(b.wall_work == Approx(a.wall_work).epsilon(0.05));
+  check_same_exchange(a.exchange, b.exchange);
+  // The scenes are about something.
+  CHECK((a.wall_work > 0) == any_moves(s.obstacles));
+  const bool flows = !s.fluid.emitters.empty();
+  CHECK((a.contacts > 0) == !flows);
+  CHECK((a.exchange.entered > 0) == flows);
+  CHECK((a.exchange.drained > 0) == flows);
+  CHECK((a.exchange.left > 0) == flows);
+  CHECK((a.exchange.held_back > 0) == flows);
 }
 
 TEST_CASE("a run on the device that goes on from a frame ends where one in one piece does") {
-  const Settings s = splash();
+  Settings s;
+  SECTION("over obstacles that stand still") {
+    s = splash();
+  }
+  SECTION("among bodies that move") {
+    s = stirred();
+  }
+  SECTION("with an emitter, a sink and an open face") {
+    s = flow();
+  }
   const auto whole = make_engine(s);
   whole->advance_to(5 * double{step}, nullptr);
   const Frame middle = whole->frame();

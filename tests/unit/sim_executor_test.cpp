@@ -69,6 +69,33 @@ TEST_CASE("a reduction joins what the loop returns, all of it") {
   CHECK(none.value == 0);
 }
 
+TEST_CASE("what a reduction leaves where the loops are is there for the next one") {
+  Executor executor;
+  Kept<SumAndLargest> kept;
+  const auto one = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const auto value = static_cast<float>(scattered(i, 1000));
+    return SumAndLargest{double{value}, value};
+  };
+  const auto take = [=] SPINDRIFT_HD(SumAndLargest & to, const SumAndLargest& total) {
+    to = total;
+  };
+  for (const std::uint32_t n : {count, 100u}) {
+    executor.reduce_to<SumAndLargest>("reduce", n, kept, one, take);
+    const auto last = kept.view();
+    const auto share = [=] SPINDRIFT_HD(std::uint32_t i) {
+      return Sum{static_cast<double>(scattered(i, 1000)) / last->sum};
+    };
+    const auto note = [=] SPINDRIFT_HD(SumAndLargest & to, const Sum& total) {
+      to.sum = total.value + static_cast<double>(to.largest);
+    };
+    executor.reduce_to<Sum>("reduce", n, kept, share, note);
+    float largest = 0;
+    for (std::uint32_t i = 0; i < n; ++i)
+      largest = std::max(largest, static_cast<float>(scattered(i, 1000)));
+    CHECK(kept.look().sum == Approx(1 + largest));
+  }
+}
+
 TEST_CASE("a selection holds the chosen indices in order") {
   Executor executor;
   Array<std::uint32_t> chosen;

@@ -134,7 +134,8 @@ TEST_CASE("steps are short enough for the walls' speed, at the start of a move t
                                       {.time = 0.2f, .translate = {5, 0, 0}, .rotate = {}}};
   const GridMap map = GridMap::over({0, 0, 0}, {10, 1, 1}, 0.21f);
   Boundary boundary(without_moving(s), map, 0.2f);
-  const MovingBodies moving(s, map, boundary);
+  Meshes meshes;
+  const MovingBodies moving(s, map, boundary, meshes);
   CHECK(moving.step_within(0.1, 0, 0.05) == 0.05);
   CHECK(moving.step_within(0.1, 0.15, 0.05) <= 0.1 / 50 * 1.001);
   const double step = moving.step_within(0.1, 0.099, 0.05);
@@ -156,7 +157,8 @@ TEST_CASE("samples go with their body; of two layers at one place one stays") {
     return count;
   };
   const int wall = near_wall();
-  MovingBodies moving(s, map, boundary);
+  Meshes meshes;
+  MovingBodies moving(s, map, boundary, meshes);
   Executor executor;
   moving.place(executor, 0, 0);
   CHECK(moving.pressures().size() > walls);

@@ -1,0 +1,16 @@
+// Meshes where loops on the processor find them: as they are.
+#pragma once
+
+#include <cstddef>
+
+#include "sim/shapes/mesh_body.hpp"
+
+namespace spindrift::sim::inline openmp {
+
+class Meshes {
+ public:
+  const MeshView* view_of(const MeshBody& body) { return &body.view(); }
+  std::size_t memory_bytes() const { return 0; }
+};
+
+}  // namespace spindrift::sim::inline openmp
