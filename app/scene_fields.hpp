@@ -245,7 +245,8 @@ inline constexpr auto table<sim::SolverSettings> = std::tuple{
     Field{"mean_compression", &sim::SolverSettings::mean_compression,
           "mean relative compression that a step may leave over (pcisph)", Range{1e-5, 0.5}},
     Field{"min_iterations", &sim::SolverSettings::min_iterations,
-          "pressure iterations per step, at least, where any pressure acts (pcisph)", Range{1, 1000}},
+          "pressure iterations per step, at least, where any pressure acts (pcisph)",
+          Range{1, 1000}},
     Field{"max_iterations", &sim::SolverSettings::max_iterations,
           "pressure iterations per step, at most; a step not converged by then is repeated smaller "
           "(pcisph)",

@@ -165,9 +165,8 @@ void Boundary::replace(Executor& executor, const Array<Sample>& samples,
                     [=] SPINDRIFT_HD(std::uint32_t i) { x.set(i, from[open[i]].position); });
   grid_.sort(map, x, count_);
   const std::uint32_t *order = grid_.order().data(), n = count_;
-  float *solid = solid_.data(), *viscosity = wall_viscosity_.data(),
-        *pressure = pressure_.data(), *compression = compression_.data(),
-        *mean_pressure = mean_pressure_.data();
+  float *solid = solid_.data(), *viscosity = wall_viscosity_.data(), *pressure = pressure_.data(),
+        *compression = compression_.data(), *mean_pressure = mean_pressure_.data();
   executor.for_each("move obstacles", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
     if (i == n) {
       x.set(n, {sentinel_position, sentinel_position, sentinel_position});

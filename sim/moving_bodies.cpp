@@ -288,9 +288,8 @@ double wall_work(Executor& executor, const FluidConstants& constants, PressureKe
     const Vec3<float> way = time_step * solid.velocity[b];
     if (dot(way, way) == 0)
       return Sum{};
-    Vec3<float> force = kernel == PressureKernel::spiky
-                            ? pressure_force(b, c, spiky, x, solid)
-                            : pressure_force(b, c, cubic, x, solid);
+    Vec3<float> force = kernel == PressureKernel::spiky ? pressure_force(b, c, spiky, x, solid)
+                                                        : pressure_force(b, c, cubic, x, solid);
     if (solid.wall_viscosity[b] > 0)
       force += friction_force(b, diffusion, x, v, solid);
     return Sum{double{dot(force, way)}};

@@ -173,7 +173,8 @@ struct SolverSettings {
       0.025f;  ///< PCISPH: largest ρ/ρ₀ − 1 left over by any step; (1e-4 ... 0.5)
   float mean_compression =
       0.001f;  ///< PCISPH: mean of max(0, ρ/ρ₀ − 1) left over by any step; (1e-5 ... 0.5)
-  int min_iterations = 1;   ///< PCISPH: pressure iterations per step, at least, where any pressure acts
+  int min_iterations =
+      1;  ///< PCISPH: pressure iterations per step, at least, where any pressure acts
   int max_iterations = 60;  ///< PCISPH: at most; a step not converged by then is repeated smaller
   float speed_of_sound =
       0.f;           ///< basic SPH: m/s; 0: ten times the fastest speed the scene can reach
