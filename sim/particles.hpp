@@ -10,16 +10,20 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+/// Makes an array one of n elements and those that follow: the sentinel, and one whole batch beyond
+/// the end. A vector by itself would take twice the memory as soon as it grows a little.
+template <class T>
+void resize_with_room(Array<T>& values, std::uint32_t n) {
+  const std::size_t size = n + std::size_t{2 * lane_count};
+  if (!values.empty() && size > values.capacity())
+    values.reserve(size + size / 16);
+  values.resize(size, T{});
+}
+
 /// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
 class ScalarField {
  public:
-  void resize(std::uint32_t n) {
-    const std::size_t size = n + std::size_t{2 * lane_count};
-    // A vector would take twice the memory as soon as it grows a little.
-    if (!values_.empty() && size > values_.capacity())
-      values_.reserve(size + size / 16);
-    values_.resize(size, 0.f);
-  }
+  void resize(std::uint32_t n) { resize_with_room(values_, n); }
   float* data() { return values_.data(); }
   const float* data() const { return values_.data(); }
   /// The data of n elements; those that were there keep their values.
@@ -65,12 +69,7 @@ class VectorField {
 /// Points with a number each, side by side.
 class PointField {
  public:
-  void resize(std::uint32_t n) {
-    const std::size_t size = n + std::size_t{2 * lane_count};
-    if (!rows_.empty() && size > rows_.capacity())
-      rows_.reserve(size + size / 16);
-    rows_.resize(size, PointRow{0, 0, 0, 0});
-  }
+  void resize(std::uint32_t n) { resize_with_room(rows_, n); }
   PointView view() { return {rows_.data()}; }
   glm::vec3 at(std::uint32_t i) const { return {rows_[i].x, rows_[i].y, rows_[i].z}; }
   float value(std::uint32_t i) const { return rows_[i].value; }

@@ -307,6 +307,20 @@ TEST_CASE("pressure is released when the compression that made it is gone") {
   CHECK(late < 0.01f * early);
 }
 
+TEST_CASE("a block that falls freely costs the fewest steps there can be, and no correction") {
+  Settings s;
+  s.fluid.spacing = 0.1f;
+  s.domain = {{0, 0, 0}, {2, 4, 2}};
+  s.fluid.volumes = {{Box{{0.5f, 2, 0.5f}, {1.5f, 3, 1.5f}}}};
+  s.solver.max_time_step = 0.005f;
+  Simulation simulation(s);
+  for (int k = 1; k <= 10; ++k) {
+    const FrameStatistics f = simulation.advance_to(k * 0.02);
+    CHECK(f.steps == 4);
+    CHECK(f.iterations == 0);
+  }
+}
+
 TEST_CASE("a tighter tolerance gives a smaller measured error") {
   Settings s;
   s.fluid.spacing = 0.06f;
