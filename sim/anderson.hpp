@@ -20,26 +20,30 @@ struct AndersonPoint {
   float iterate, residual;
 };
 
-/// The present iterates and residuals and those of the two steps before, to be combined.
+/// The two steps before, and what of them goes into the best combination with the present one.
 struct AndersonView {
-  const float *iterate, *last_iterate, *iterate_before;
-  const float *residual, *last_residual, *residual_before;
+  const AndersonPoint* last;
+  AndersonPoint* before;
   int used;                          ///< earlier steps in the combination
   float last_weight, before_weight;  ///< θ₁ and θ₂
 
-  /// The best combination at i.
-  SPINDRIFT_HD AndersonPoint at(std::uint32_t i) const {
-    return {mixed(i, iterate, last_iterate, iterate_before),
-            mixed(i, residual, last_residual, residual_before)};
+  /// The best combination for unknown i, of which `now` is the present step.
+  SPINDRIFT_HD AndersonPoint mixed(std::uint32_t i, const AndersonPoint& now) const {
+    return {mixed(i, now, &AndersonPoint::iterate), mixed(i, now, &AndersonPoint::residual)};
   }
 
-  SPINDRIFT_HD float mixed(std::uint32_t i, const float* now, const float* last,
-                           const float* before) const {
-    float value = now[i];
+  /// Remembers the present step in place of the one before the last. Once for each unknown, after
+  /// it is mixed.
+  SPINDRIFT_HD void keep(std::uint32_t i, const AndersonPoint& now) const { before[i] = now; }
+
+ private:
+  SPINDRIFT_HD float mixed(std::uint32_t i, const AndersonPoint& now,
+                           float AndersonPoint::*part) const {
+    float value = now.*part;
     if (used >= 1)
-      value -= last_weight * (now[i] - last[i]);
+      value -= last_weight * (now.*part - last[i].*part);
     if (used >= 2)
-      value -= before_weight * (last[i] - before[i]);
+      value -= before_weight * (last[i].*part - before[i].*part);
     return value;
   }
 };
@@ -64,50 +68,33 @@ class AndersonAcceleration {
   /// Forgets all steps.
   void start() { known_ = 0; }
 
-  /// Takes in the present iterate and residual, point_of(i) for i in [0, count), and finds their
-  /// best combination with those before.
+  /// Finds the best combination of the present step, now(i) for i in [0, count), with those before.
   template <class F>
-  void add(Executor& executor, std::uint32_t count, F point_of) {
-    for (std::size_t k = memory; k > 0; --k) {
-      iterates_[k].swap(iterates_[k - 1]);
-      residuals_[k].swap(residuals_[k - 1]);
-    }
-    for (ScalarField* field : {iterates_, residuals_})
-      for (std::size_t k = 0; k <= memory; ++k)
-        field[k].resize(count);
-    float *p = iterates_[0].data(), *r0 = residuals_[0].data();
-    const float *r1 = residuals_[1].data(), *r2 = residuals_[2].data();
+  AndersonView combine(Executor& executor, std::uint32_t count, F now) {
+    for (Array<AndersonPoint>* step : {&last_, &before_})
+      resize_with_room(*step, count);
+    const AndersonPoint *last_step = last_.data(), *step_before = before_.data();
     const int known = known_;
-    const Products sums =
-        executor.reduce<Products>("accelerate", count, [=] SPINDRIFT_HD(std::uint32_t i) {
-          const AndersonPoint point = point_of(i);
-          p[i] = point.iterate;
-          r0[i] = point.residual;
-          const float last = known >= 1 ? point.residual - r1[i] : 0.f;
-          const float before = known >= 2 ? r1[i] - r2[i] : 0.f;
-          return Products::of(point.residual, last, before);
-        });
-    combine(sums);
+    weigh(executor.reduce<Products>("accelerate", count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      const float r = now(i).residual, r1 = last_step[i].residual;
+      const float last = known >= 1 ? r - r1 : 0.f;
+      const float before = known >= 2 ? r1 - step_before[i].residual : 0.f;
+      return Products::of(r, last, before);
+    }));
+    return {last_.data(), before_.data(), used_, last_weight_, before_weight_};
   }
 
-  AndersonView view() const {
-    return {iterates_[0].data(),
-            iterates_[1].data(),
-            iterates_[2].data(),
-            residuals_[0].data(),
-            residuals_[1].data(),
-            residuals_[2].data(),
-            used_,
-            last_weight_,
-            before_weight_};
-  }
+  /// After every unknown was kept.
+  void advance() { last_.swap(before_); }
 
-  std::size_t memory_bytes() const { return 2 * (memory + 1) * iterates_[0].memory_bytes(); }
+  std::size_t memory_bytes() const {
+    return (last_.capacity() + before_.capacity()) * sizeof(AndersonPoint);
+  }
 
  private:
   static constexpr std::size_t memory = 2;
 
-  void combine(const Products& s) {
+  void weigh(const Products& s) {
     // A residual that grew has left the region where the steps told anything: start anew from here.
     constexpr double growth = 1.5;
     if (known_ > 0 && s.rr > growth * growth * squared_residual_)
@@ -127,11 +114,11 @@ class AndersonAcceleration {
 
   static float weight(double w) { return static_cast<float>(std::clamp(w, -10., 10.)); }
 
-  ScalarField iterates_[memory + 1], residuals_[memory + 1];  ///< the present ones first
-  int known_ = 0;                                             ///< earlier steps in memory
-  int used_ = 0;                                              ///< of them in the combination
-  float last_weight_ = 0, before_weight_ = 0;                 ///< θ₁ and θ₂
-  double squared_residual_ = 0;                               ///< |rₖ|²
+  Array<AndersonPoint> last_, before_;
+  int known_ = 0;                              ///< earlier steps in memory
+  int used_ = 0;                               ///< of them in the combination
+  float last_weight_ = 0, before_weight_ = 0;  ///< θ₁ and θ₂
+  double squared_residual_ = 0;                ///< |rₖ|²
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -42,6 +42,31 @@ struct Residual {
   }
 };
 
+/// The unknowns of a step, and what is wrong with them: the pressures of the particles, then of the
+/// wet boundary samples.
+struct Unknowns {
+  StepView step;
+  std::uint32_t wet_count;
+  const float* wet_compression;
+  float delta;  ///< pressure per density ratio, δ, Pa
+
+  SPINDRIFT_HD std::uint32_t count() const { return step.count + wet_count; }
+  /// Pa.
+  SPINDRIFT_HD float& pressure(std::uint32_t k) const {
+    return k < step.count ? step.drifted.value(k)
+                          : step.boundary.step_pressure[step.boundary.wet[k - step.count]];
+  }
+  /// ρ/ρ₀ less what is wanted.
+  SPINDRIFT_HD float compression(std::uint32_t k) const {
+    return k < step.count ? step.compression(k) : wet_compression[k - step.count];
+  }
+  /// Where pressure would have to fall below zero the residual ends at what takes it to zero.
+  SPINDRIFT_HD AndersonPoint operator()(std::uint32_t k) const {
+    const float p = pressure(k);
+    return {p, std::max(compression(k), -p / delta)};
+  }
+};
+
 SPINDRIFT_HD inline float part_of(float share, float pressure, float least) {
   const float part = share * pressure;
   return part < least ? 0.f : part;
@@ -82,11 +107,13 @@ class Pcisph : public PressureSolver {
       }
       if (iteration == settings_.max_iterations)
         return {.accepted = false, .iterations = iteration};
-      note_residual(s, delta);
+      const Unknowns unknowns{s.view(), s.boundary.wet_count, wet_compression_.data(), delta};
+      const AndersonView history = acceleration_.combine(s.executor, unknowns.count(), unknowns);
       if (iteration == 0 && s.refusals < 2)
-        correct_everywhere(s, delta);
+        correct_everywhere(s, unknowns, history);
       else
-        correct_pressure(s, delta);
+        correct_pressure(s, unknowns, history);
+      acceleration_.advance();
     }
   }
 
@@ -243,59 +270,35 @@ class Pcisph : public PressureSolver {
     return error.value;
   }
 
-  /// The unknowns are the pressures of the particles, then of the wet boundary samples. Where
-  /// pressure would have to fall below zero the residual ends at what takes it to zero.
-  void note_residual(const StepContext& s, float delta) {
-    const StepView step = s.view();
-    const BoundaryView solid = s.boundary;
-    const std::uint32_t n = s.particles.count;
-    const PointView p = s.particles.drifted_position.view();
-    const float* wet = wet_compression_.data();
-    acceleration_.add(s.executor, n + solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
-      const bool liquid = k < n;
-      const float pressure = liquid ? p.value(k) : solid.step_pressure[solid.wet[k - n]];
-      const float compression = liquid ? step.compression(k) : wet[k - n];
-      return AndersonPoint{pressure, std::max(compression, -pressure / delta)};
-    });
-  }
-
   /// The first correction of a step: what the whole liquid needs, from the coarse grid, and what
   /// each particle does.
-  void correct_everywhere(const StepContext& s, float delta) {
+  void correct_everywhere(const StepContext& s, const Unknowns& unknowns,
+                          const AndersonView& history) {
+    const float delta = unknowns.delta, part = relaxation * delta;
     coarse_.build(s, delta);
-    const PointView p = s.particles.drifted_position.view();
-    const float* wet = wet_compression_.data();
-    const std::uint32_t n = s.particles.count;
-    const StepView step = s.view();
     coarse_.solve(s, [=] SPINDRIFT_HD(std::uint32_t k) {
-      return k < n ? CoarsePressure::Error{step.compression(k), p.value(k) / delta}
-                   : CoarsePressure::Error{
-                         wet[k - n], step.boundary.step_pressure[step.boundary.wet[k - n]] / delta};
+      return CoarsePressure::Error{unknowns.compression(k), unknowns.pressure(k) / delta};
     });
-    const float part = relaxation * delta;
     const CoarseView coarse = coarse_.view();
-    s.executor.for_each("correct pressure", s.grid.cell_count, [=] SPINDRIFT_HD(std::uint32_t c) {
-      coarse.at_particles(c, [&](std::uint32_t i, float everywhere) {
-        p.value(i) = std::max(0.f, p.value(i) + part * step.compression(i) + everywhere);
-      });
-    });
+    const auto correct = [=] SPINDRIFT_HD(std::uint32_t k, float everywhere) {
+      float& p = unknowns.pressure(k);
+      history.keep(k, unknowns(k));
+      p = std::max(0.f, p + part * unknowns.compression(k) + everywhere);
+    };
+    s.executor.for_each("correct pressure", s.grid.cell_count,
+                        [=] SPINDRIFT_HD(std::uint32_t c) { coarse.at_particles(c, correct); });
+    const std::uint32_t n = s.particles.count;
     s.executor.for_each("correct pressure", s.boundary.wet_count,
-                        [=] SPINDRIFT_HD(std::uint32_t k) {
-                          float& pb = step.boundary.step_pressure[step.boundary.wet[k]];
-                          pb = std::max(0.f, pb + part * wet[k] + coarse.at_wall(k));
-                        });
+                        [=] SPINDRIFT_HD(std::uint32_t k) { correct(n + k, coarse.at_wall(k)); });
   }
 
-  void correct_pressure(const StepContext& s, float delta) {
-    const std::uint32_t n = s.particles.count;
-    const PointView p = s.particles.drifted_position.view();
-    const BoundaryView solid = s.boundary;
-    const float part = relaxation * delta;
-    const AndersonView history = acceleration_.view();
-    s.executor.for_each("correct pressure", n + solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
-      const AndersonPoint best = history.at(k);
-      const float pressure = std::max(0.f, best.iterate + part * best.residual);
-      (k < n ? p.value(k) : solid.step_pressure[solid.wet[k - n]]) = pressure;
+  void correct_pressure(const StepContext& s, const Unknowns& unknowns,
+                        const AndersonView& history) {
+    const float part = relaxation * unknowns.delta;
+    s.executor.for_each("correct pressure", unknowns.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
+      const AndersonPoint now = unknowns(k), best = history.mixed(k, now);
+      history.keep(k, now);
+      unknowns.pressure(k) = std::max(0.f, best.iterate + part * best.residual);
     });
   }
 

@@ -72,6 +72,9 @@ Vec3<float> reduce(const Vec3<Real>& a) {
 struct alignas(16) PointRow {
   float x, y, z, value;
 };
+#ifndef SPINDRIFT_DEVICE
+static_assert(sizeof(PointRow) == LaneList::place_of(1));
+#endif
 
 /// The row `j` of an array.
 SPINDRIFT_HD inline PointRow load(const PointRow* rows, std::uint32_t j) {
@@ -80,7 +83,8 @@ SPINDRIFT_HD inline PointRow load(const PointRow* rows, std::uint32_t j) {
 
 #ifndef SPINDRIFT_DEVICE
 inline LaneRows load(const PointRow* rows, LaneList list) {
-  return transposed([&](int k) { return &rows[list.numbers[k]].x; });
+  const auto* const bytes = reinterpret_cast<const char*>(rows);
+  return transposed([&](int k) { return reinterpret_cast<const float*>(bytes + list.places[k]); });
 }
 inline LaneRows load(const PointRow* rows, LaneRun run) {
   return transposed([&](int k) { return &rows[run.first + static_cast<std::uint32_t>(k)].x; });

@@ -90,22 +90,22 @@ class Candidates {
     std::size_t most = 2 * lane_count;
     for (const auto& run : runs)
       most += run.end - run.begin;
-    if (most > index_.size())
+    if (most > place_.size())
       for (auto* values : {&x_, &y_, &z_})
         values->resize(2 * most);
-    index_.resize(x_.size());
+    place_.resize(x_.size());
     count_ = 0;
     for (const auto& run : runs)
       for (std::uint32_t j = run.begin; j < run.end; j += lane_count) {
         const LaneRows p = load(others.rows, LaneRun{j});
-        const auto first = static_cast<std::int32_t>(j);
+        const auto first = static_cast<std::int32_t>(LaneList::place_of(j));
         // A little farther, for what rounding does to the box's distance.
         const unsigned mask = bits_of((bounds.squared_distance(p) < 1.00001f * squared_radius) &
                                       (lane < static_cast<std::int32_t>(run.end - j)));
         write_chosen(&x_[count_], p.x, mask);
         write_chosen(&y_[count_], p.y, mask);
         write_chosen(&z_[count_], p.z, mask);
-        count_ += write_chosen(&index_[count_], lane + first, mask);
+        count_ += write_chosen(&place_[count_], (lane << LaneList::row_bits) + first, mask);
       }
     for (std::uint32_t k = count_; k < count_ + lane_count; ++k)
       x_[k] = sentinel_position;
@@ -122,19 +122,19 @@ class Candidates {
     for (std::uint32_t k = 0; k < count_; k += lane_count) {
       const Vec3<Lanes> d{p.x - consecutive(&x_[k]), p.y - consecutive(&y_[k]),
                           p.z - consecutive(&z_[k])};
-      IndexLanes index;
-      __builtin_memcpy(&index, &index_[k], sizeof index);
-      out += write_chosen(out, index, bits_of(dot(d, d) < squared_radius));
+      IndexLanes place;
+      __builtin_memcpy(&place, &place_[k], sizeof place);
+      out += write_chosen(out, place, bits_of(dot(d, d) < squared_radius));
     }
     while ((out - begin) % lane_count != 0)
-      *out++ = sentinel;
+      *out++ = LaneList::place_of(sentinel);
     *list = static_cast<std::uint32_t>((out - begin) / lane_count);
     return out;
   }
 
  private:
   std::vector<float> x_, y_, z_;
-  std::vector<std::uint32_t> index_;
+  std::vector<std::uint32_t> place_;
   std::uint32_t count_ = 0;
 };
 
@@ -192,6 +192,8 @@ class NeighbourLists::Writer {
 void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const PointView& points,
                            std::uint32_t count, const CellGrid& other_grid, const PointView& others,
                            std::uint32_t other_count, float radius) {
+  if (other_count >= LaneList::number_at(~0u))
+    throw std::length_error("more than 268 million particles; use a larger fluid.spacing");
   place_.resize(count);
   table_.assign(1, &empty_list);
   large_.clear();

@@ -1,7 +1,8 @@
 // Neighbour lists: for every particle, the points closer than a search radius. No list has a cap.
 //
-// A list is a sequence of indices padded to whole batches of eight with the index of a sentinel
-// point that lies far from everything, so that sums over a list need no remainder loop and no mask.
+// A list is a sequence of places (LaneList) padded to whole batches of eight with that of a
+// sentinel point that lies far from everything, so that sums over a list need no remainder loop and
+// no mask.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct NeighbourView {
   static constexpr int chunk_bits = 16;
   static constexpr std::size_t chunk_size = std::size_t{1} << chunk_bits;
 
-  /// The list of particle i: how many batches of eight indices it has, then those indices.
+  /// The list of particle i: how many batches of eight places it has, then those places.
   const std::uint32_t* list(std::uint32_t i) const {
     return chunks[place[i] >> chunk_bits] + (place[i] & (chunk_size - 1));
   }
@@ -32,14 +33,16 @@ struct NeighbourView {
 
   /// Whether particle i of `count` has no other of its own kind near it: after itself, the padding
   /// begins.
-  bool alone(std::uint32_t i, std::uint32_t count) const { return list(i)[2] == count; }
+  bool alone(std::uint32_t i, std::uint32_t count) const {
+    return list(i)[2] == LaneList::place_of(count);
+  }
 
   /// f(j) for the neighbours j of particle i, and perhaps for the sentinel.
   template <class F>
   void for_each(std::uint32_t i, F f) const {
     const std::uint32_t* j = list(i);
     for (std::uint32_t left = *j++ * lane_count; left > 0; --left, ++j)
-      f(*j);
+      f(LaneList::number_at(*j));
   }
 
   /// Σⱼ f(j) over the neighbours j of particle i; f takes eight of them and returns Lanes
@@ -89,7 +92,8 @@ class NeighbourLists {
   /// `radius`, which is at most the cell size of `map`. Where both are the same set, a point is its
   /// own neighbour. `others` holds one more point than `other_count`, the sentinel, and room for a
   /// whole batch after it.
-  /// @throws std::length_error when there are more than four billion neighbours in all
+  /// @throws std::length_error when there are more than four billion neighbours in all, or more
+  ///         other points than places have bits for
   void build(const GridMap& map, const CellGrid& grid, const PointView& points, std::uint32_t count,
              const CellGrid& other_grid, const PointView& others, std::uint32_t other_count,
              float radius);
