@@ -72,8 +72,7 @@ TEST_CASE("hard: two particles at the same place", "[hard]") {
   coincident(SolverType::pcisph);
 }
 
-// Measured: 4.5 % of energy made, where the pair lands on the floor.
-TEST_CASE("hard: two particles at the same place, basic SPH", "[hard][!mayfail]") {
+TEST_CASE("hard: two particles at the same place, basic SPH", "[hard]") {
   coincident(SolverType::sph);
 }
 

@@ -7,10 +7,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "sim/contact.hpp"
+#include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 #include "sim/time_step.hpp"
+#include "sim/walls.hpp"
 
 namespace spindrift::test {
 
@@ -50,10 +53,17 @@ inline float default_speed_of_sound(const sim::Settings& s) {
 /// Looks at frames one after another. Gravity is in the potential energy; the work of the other
 /// body forces is that on the centre of mass. Water that is compressible, as basic SPH's, holds
 /// elastic energy besides: Tait's pressure (Monaghan 2005, eq. 4.3) integrated over the
-/// compression.
+/// compression; so do walls at rest.
 class InvariantsWatch {
  public:
-  explicit InvariantsWatch(const sim::Settings& settings) : settings_(settings) {}
+  explicit InvariantsWatch(const sim::Settings& settings) : settings_(settings) {
+    if (settings.solver.type != sim::SolverType::sph || sim::any_moves(settings.obstacles))
+      return;
+    const float radius = sim::constants_of(settings.fluid).support_radius;
+    sim::Walls walls(settings, sim::grid_over(settings, radius), radius);
+    for (std::uint32_t b = 0; b < walls.boundary().count(); ++b)
+      sample_volumes_.push_back(walls.boundary().positions().value(b));
+  }
 
   void look(const sim::Frame& frame, const sim::FrameStatistics& f) {
     look_at_particles(frame);
@@ -123,17 +133,23 @@ class InvariantsWatch {
     last_force_ = force;
   }
 
-  /// Σ mᵢ ∫ p/ρ² dρ from ρ₀ to ρᵢ, J.
+  /// What the pressure accelerations of basic SPH are the gradient of, J: Σ V ∫ p d(ρ/ρ₀) over
+  /// particles and samples of walls, from ρ₀ to their densities.
   double elastic_energy(const sim::Frame& frame) const {
     if (settings_.solver.type != sim::SolverType::sph)
       return 0;
-    double sum = 0;
-    for (const float density : frame.densities) {
-      const double r = std::max(1., double{density} / settings_.fluid.rest_density);
-      sum += (std::pow(r, 6) - 1) / 6 + 1 / r - 1;
-    }
-    const double c = settings_.solver.speed_of_sound;
-    return mass() / static_cast<double>(count_) * c * c / 7 * sum;
+    const double stiffness =
+        settings_.fluid.rest_density * std::pow(double{settings_.solver.speed_of_sound}, 2) / 7;
+    // Of a volume, 1 m³, in which ρ/ρ₀ is r.
+    const auto stored = [&](double r) { return stiffness * ((std::pow(r, 8) - 1) / 8 - (r - 1)); };
+    double energy = 0;
+    for (const float density : frame.densities)
+      energy += mass() / static_cast<double>(count_) / settings_.fluid.rest_density *
+                stored(std::max(1., double{density} / settings_.fluid.rest_density));
+    for (std::size_t b = 0; b < sample_volumes_.size(); ++b)
+      energy += sample_volumes_[b] *
+                stored(std::pow(1 + frame.boundary_pressures[b] / stiffness, 1. / 7));
+    return energy;
   }
 
   double mass() const {
@@ -146,6 +162,7 @@ class InvariantsWatch {
   std::size_t count_ = 0;
   double lowest_ = 0, put_in_ = 0;  // J
   glm::dvec3 last_center_{0}, last_force_{0};
+  std::vector<double> sample_volumes_;  ///< of walls at rest, m³
 };
 
 /// Runs a simulation for `duration` seconds, looked at `frames` times.

@@ -66,10 +66,11 @@ half against 2σ/R.
 |---|---|---|---|---|---|---|---|
 $(rows drop)
 
-The angle, in degrees, at which a drop settles on a plate, from the height of its centre of mass.
+The angle, in degrees, at which a cap of a ball six spacings in radius settles on a plate, from the height of its centre
+of mass. Where the plate becomes dry sticks: a cap that starts 15° flatter stops before one that starts 15° rounder.
 
-| contact angle asked for | found |
-|---|---|
+| contact angle asked for | from flatter | from rounder |
+|---|---|---|
 $(rows angle)
 
 ## Hard cases
