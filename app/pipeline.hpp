@@ -1,5 +1,5 @@
-// From particles to files: simulate → mesh → draw → write, each stage in a thread of its own, so
-// that the next frame is simulated while the last one is drawn and written.
+// From particles to files: simulate → keep → mesh → draw → write, in four threads, so that the next
+// frame is simulated while the last one is kept, drawn and written.
 #pragma once
 
 #include <map>

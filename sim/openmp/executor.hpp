@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/openmp/arrays.hpp"
@@ -36,6 +37,18 @@ class Kept {
 
  private:
   T value_{};
+};
+
+/// Numbers as they were when they were copied.
+template <class T>
+class Copy {
+ public:
+  explicit Copy(std::vector<T> values) : values_(std::move(values)) {}
+  /// Once.
+  std::vector<T> take() { return std::move(values_); }
+
+ private:
+  std::vector<T> values_;
 };
 
 class Executor {
@@ -101,6 +114,17 @@ class Executor {
     const PhaseClock::Scope timed(clock_, name);
     for (Index k = 0; k < n; ++k)
       sums[place(k)] += value(k);
+  }
+
+  /// f(i) for i in [0, n), as it is now, for whoever looks at it later.
+  template <class T, class F>
+  Copy<T> copy(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    std::vector<T> values;
+    values.reserve(n);
+    for (Index i = 0; i < n; ++i)
+      values.push_back(f(i));
+    return Copy<T>(std::move(values));
   }
 
   /// Until particles may be looked at outside of loops.
