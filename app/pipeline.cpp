@@ -93,9 +93,10 @@ class DrawingStage {
         meshing_(record.stage_seconds["mesh"]),
         drawing_(record.stage_seconds["draw"]),
         writing_(record.stage_seconds["export"]),
-        scene_drawing_(scene) {
+        scene_drawing_(scene, sim::choose_backend(scene.simulation).cuda_device) {
     record.gl_renderer = scene_drawing_.info().renderer;
     record.gl_version = scene_drawing_.info().version;
+    record.egl_device = scene_drawing_.info().egl_device;
   }
 
   Image draw(const NumberedParticles& particles) {
