@@ -28,8 +28,9 @@ class Kept {
   struct View {
     T value;
     const T* operator->() const { return &value; }
+    const T& operator*() const { return value; }
   };
-  /// As loops look at it: with view->member.
+  /// As loops look at it: like a pointer.
   View view() const { return {value_}; }
   /// As the processor does.
   const T& look() const { return value_; }

@@ -183,6 +183,20 @@ TEST_CASE("ten steps with viscosity and tension on the device lead where the pro
   check_same_after(s, 10);
 }
 
+TEST_CASE("steps that are too long are refused on the device as on the processor") {
+  Settings s = splash();
+  s.fluid.volumes[1].velocity = {-10, -20, 0};
+  s.solver.cfl = 2;
+  s.solver.max_time_step = 20 * step;
+  s.obstacles.clear();
+  const Runs runs = run_both(s, 20 * double{step});
+  CHECK(runs.cpu_statistics.rejected_steps > 2);
+  CHECK(runs.device_statistics.rejected_steps == runs.cpu_statistics.rejected_steps);
+  CHECK(runs.device_statistics.steps == runs.cpu_statistics.steps);
+  CHECK(runs.device_statistics.iterations == runs.cpu_statistics.iterations);
+  CHECK(largest_distance(runs.cpu, runs.device) < 1e-3f * s.fluid.spacing);
+}
+
 TEST_CASE("steps among bodies that move lead where the processor's do on the device") {
   check_same_after(stirred(), 1);
   check_same_after(stirred(), 10);
