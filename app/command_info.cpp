@@ -19,8 +19,9 @@ std::pair<bool, std::string> renderer() {
   try {
     const gl::Renderer probe(16, 16, {}, {}, {});
     const auto& info = probe.info();
-    return {true, fmt::format("{}, OpenGL {} ({}, EGL by {})", info.renderer, info.version,
-                              info.software ? "software" : "hardware", info.egl_vendor)};
+    return {true,
+            fmt::format("{}, OpenGL {} ({}, EGL by {}; {})", info.renderer, info.version,
+                        info.software ? "software" : "hardware", info.egl_vendor, info.egl_device)};
   } catch (const std::exception& error) {
     return {false, error.what()};
   }

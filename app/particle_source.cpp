@@ -28,6 +28,18 @@ void append(sim::FrameStatistics& whole, const sim::FrameStatistics& part) {
   whole = sum;
 }
 
+std::future<sim::Frame> ready(sim::Frame frame) {
+  std::promise<sim::Frame> promise;
+  promise.set_value(std::move(frame));
+  return promise.get_future();
+}
+
+ComingFrame already_kept(KeptFrame kept) {
+  const double time = kept.frame.time;
+  const std::size_t particles = kept.frame.positions.size();
+  return {ready(std::move(kept.frame)), kept.statistics, time, particles, true};
+}
+
 }  // namespace
 
 ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
@@ -48,30 +60,36 @@ ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
 
 ParticleSource::~ParticleSource() = default;
 
-std::optional<KeptFrame> ParticleSource::next(int number) {
+std::optional<ComingFrame> ParticleSource::next(int number) {
   if (InterruptGuard::requested())
     return std::nullopt;
   if (read_only_)
-    return kept(number);
+    return already_kept(kept(number));
   cached_so_far_ = cached_so_far_ && cache_ && cache_->has(number);
   if (cached_so_far_) {
     last_ = kept(number);
-    return last_;
+    return already_kept(last_);
   }
   const std::size_t readings_before = readings_.size();
-  KeptFrame frame = simulate(number);
-  if (InterruptGuard::requested())
+  std::optional<ComingFrame> coming = simulate(number);
+  if (!coming)
     return std::nullopt;
-  particle_count_ = std::max(particle_count_, frame.frame.positions.size());
+  particle_count_ = std::max(particle_count_, coming->particle_count);
   ++simulated_;
-  if (cache_) {
+  if (cache_)
     keep_readings(number, readings_before);
+  return coming;
+}
+
+KeptFrame ParticleSource::keep(int number, ComingFrame coming) const {
+  KeptFrame frame{coming.frame.get(), coming.statistics};
+  if (cache_ && !coming.kept)
     cache_->write(number, frame);
-  }
   return frame;
 }
 
-KeptFrame ParticleSource::simulate(int number) {
+/// Nothing after Ctrl-C.
+std::optional<ComingFrame> ParticleSource::simulate(int number) {
   if (!simulation_) {
     if (number == 0)
       simulation_ = std::make_unique<sim::Simulation>(scene_.simulation);
@@ -82,22 +100,27 @@ KeptFrame ParticleSource::simulate(int number) {
   std::vector<double> readings{time};
   if (!scene_.probes.empty() && scene_.probes_rate > 0)
     readings = reading_times(number == 0 ? -1 : time_of(number - 1), time, scene_.probes_rate);
-  KeptFrame frame;
+  ComingFrame coming;
   for (const double at : readings) {
     if (at == time)
       break;
-    advance_to(at, frame.statistics);
+    advance_to(at, coming.statistics);
     if (InterruptGuard::requested())
-      return frame;
+      return std::nullopt;
     read_probes(simulation_->frame());
   }
-  advance_to(time, frame.statistics);
+  advance_to(time, coming.statistics);
   if (InterruptGuard::requested())
-    return frame;
-  frame.frame = simulation_->frame();
-  if (!readings.empty() && readings.back() == time)
-    read_probes(frame.frame);
-  return frame;
+    return std::nullopt;
+  coming.frame = simulation_->take_frame();
+  coming.time = time;
+  coming.particle_count = simulation_->particle_count();
+  if (!scene_.probes.empty() && !readings.empty() && readings.back() == time) {
+    sim::Frame frame = coming.frame.get();
+    read_probes(frame);
+    coming.frame = ready(std::move(frame));
+  }
+  return coming;
 }
 
 KeptFrame ParticleSource::kept(int number) {

@@ -2,6 +2,7 @@
 // probes are read on the way.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -9,6 +10,15 @@
 #include "app/pipeline.hpp"
 
 namespace spindrift::app {
+
+/// A frame on its way to whoever wants it, and what happened until then.
+struct ComingFrame {
+  std::future<sim::Frame> frame;
+  sim::FrameStatistics statistics;
+  double time = 0;  ///< s
+  std::size_t particle_count = 0;
+  bool kept = false;  ///< it came from the cache
+};
 
 class ParticleSource {
  public:
@@ -23,14 +33,18 @@ class ParticleSource {
   std::size_t particle_count() const { return particle_count_; }
 
   /// Frame `number`, asked for in order from 0; nothing after Ctrl-C.
-  std::optional<KeptFrame> next(int number);
+  std::optional<ComingFrame> next(int number);
+
+  /// Waits for the frame, and keeps it, if it is not; from any thread, also while the next one is
+  /// asked for.
+  KeptFrame keep(int number, ComingFrame coming) const;
 
   /// Leaves in the record what was simulated.
   void finish(RunRecord& record) const;
 
  private:
   KeptFrame kept(int number);
-  KeptFrame simulate(int number);
+  std::optional<ComingFrame> simulate(int number);
   void keep_readings(int number, std::size_t first) const;
   bool add_kept_readings(int number);
   double time_of(int number) const;

@@ -24,6 +24,12 @@ namespace fs = std::filesystem;
 
 /// Frames that may wait between two stages.
 constexpr std::size_t queue_capacity = 2;
+constexpr std::size_t particles_capacity = 1;  ///< before frames are kept, and after
+
+struct NumberedFrame {
+  int number = 0;
+  ComingFrame frame;
+};
 
 struct NumberedParticles {
   int number = 0;
@@ -87,9 +93,10 @@ class DrawingStage {
         meshing_(record.stage_seconds["mesh"]),
         drawing_(record.stage_seconds["draw"]),
         writing_(record.stage_seconds["export"]),
-        scene_drawing_(scene) {
+        scene_drawing_(scene, sim::choose_backend(scene.simulation).cuda_device) {
     record.gl_renderer = scene_drawing_.info().renderer;
     record.gl_version = scene_drawing_.info().version;
+    record.egl_device = scene_drawing_.info().egl_device;
   }
 
   Image draw(const NumberedParticles& particles) {
@@ -162,7 +169,8 @@ class Pipeline {
   Pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record)
       : scene_(scene), options_(options), record_(record) {
     // Named before the threads start, since a map must not grow under them.
-    for (const char* stage : {"simulate", "mesh", "draw", "export", "write PNG", "write MP4"})
+    for (const char* stage :
+         {"simulate", "keep", "mesh", "draw", "export", "write PNG", "write MP4"})
       record_.stage_seconds[stage] = 0;
   }
 
@@ -170,14 +178,18 @@ class Pipeline {
     ParticleSource source(scene_, options_, record_.probe_readings);
     Progress progress(scene_.name, range.last - range.first + 1, source.particle_count(),
                       options_.quiet);
-    if (options_.simulate_only) {
-      simulate(source, range, progress);
-    } else {
+    std::thread drawing, writing;
+    if (!options_.simulate_only) {
       make_folders();
-      std::thread drawing([&] { guarded([&] { draw_all(); }); });
-      std::thread writing([&] { guarded([&] { write_all(progress); }); });
-      guarded([&] { simulate(source, range, progress); });
-      particles_.close();
+      drawing = std::thread([&] { guarded([&] { draw_all(); }); });
+      writing = std::thread([&] { guarded([&] { write_all(progress); }); });
+    }
+    std::thread keeping([&] { guarded([&] { keep_all(source, range, progress); }); });
+    guarded([&] { simulate(source, range, progress); });
+    coming_.close();
+    keeping.join();
+    particles_.close();
+    if (!options_.simulate_only) {
       drawing.join();
       images_.close();
       writing.join();
@@ -197,6 +209,7 @@ class Pipeline {
       const std::lock_guard lock(failure_mutex_);
       if (!failure_)
         failure_ = std::current_exception();
+      coming_.close();
       particles_.close();
       images_.close();
     }
@@ -204,30 +217,45 @@ class Pipeline {
 
   void simulate(ParticleSource& source, const FrameRange& range, Progress& progress) {
     for (int number = 0; number <= range.last; ++number) {
-      std::optional<KeptFrame> kept = timed_next(source, number);
-      if (!kept) {
+      std::optional<ComingFrame> coming = timed_next(source, number);
+      if (!coming) {
         record_.interrupted = true;
         return;
       }
-      record_.frames.push_back(kept->statistics);
-      record_.times.push_back(kept->frame.time);
-      progress.set_particles(kept->frame.positions.size());
+      record_.frames.push_back(coming->statistics);
+      record_.times.push_back(coming->time);
+      progress.set_particles(coming->particle_count);
+      if (!coming_.push({number, std::move(*coming)}))
+        return;
+    }
+  }
+
+  /// After Ctrl-C too, so that what is simulated is not lost.
+  void keep_all(const ParticleSource& source, const FrameRange& range, Progress& progress) {
+    while (auto coming = coming_.pop()) {
+      const int number = coming->number;
+      KeptFrame kept = timed_keep(source, std::move(*coming));
       if (number < range.first)
         continue;
       if (options_.simulate_only) {
         if (options_.export_particles) {
           fs::create_directories(options_.output / "particles_ply");
           export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
-                           kept->frame, scene_.simulation.exchanges_particles());
+                           kept.frame, scene_.simulation.exchanges_particles());
         }
         progress.show("simulating", ++record_.frames_finished);
-      } else if (!particles_.push({number, std::move(kept->frame)})) {
-        return;
+      } else {
+        particles_.push({number, std::move(kept.frame)});
       }
     }
   }
 
-  std::optional<KeptFrame> timed_next(ParticleSource& source, int number) {
+  KeptFrame timed_keep(const ParticleSource& source, NumberedFrame coming) {
+    const StageTimer timer(record_.stage_seconds["keep"]);
+    return source.keep(coming.number, std::move(coming.frame));
+  }
+
+  std::optional<ComingFrame> timed_next(ParticleSource& source, int number) {
     const StageTimer timer(record_.stage_seconds["simulate"]);
     return source.next(number);
   }
@@ -242,6 +270,7 @@ class Pipeline {
       if (!images_.push({particles->number, stage.draw(*particles)}))
         break;
     }
+    particles_.close();
     images_.close();
   }
 
@@ -270,7 +299,8 @@ class Pipeline {
   const Scene& scene_;
   const RenderOptions& options_;
   RunRecord& record_;
-  BoundedQueue<NumberedParticles> particles_{queue_capacity};
+  BoundedQueue<NumberedFrame> coming_{particles_capacity};
+  BoundedQueue<NumberedParticles> particles_{particles_capacity};
   BoundedQueue<NumberedImage> images_{queue_capacity};
   std::exception_ptr failure_;
   std::mutex failure_mutex_;

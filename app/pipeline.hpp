@@ -1,5 +1,5 @@
-// From particles to files: simulate → mesh → draw → write, each stage in a thread of its own, so
-// that the next frame is simulated while the last one is drawn and written.
+// From particles to files: simulate → keep → mesh → draw → write, in four threads, so that the next
+// frame is simulated while the last one is kept, drawn and written.
 #pragma once
 
 #include <map>
@@ -32,7 +32,7 @@ struct RunRecord {
   std::vector<sim::FrameStatistics> frames;  ///< one for each frame from 0 to the last one reached
   std::vector<double> times;                 ///< of those frames, s
   std::vector<ProbeReading> probe_readings;  ///< in the order of their times
-  std::string gl_renderer, gl_version;       ///< empty: nothing was drawn
+  std::string gl_renderer, gl_version, egl_device;  ///< empty: nothing was drawn
 };
 
 /// Runs the scene as the options say. What is finished when an error or Ctrl-C comes stays, and the

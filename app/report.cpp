@@ -98,7 +98,9 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) 
   json["name"] = scene.name;
   json["complete"] = !record.interrupted && record.frames_finished == record.frames_wanted;
   json["versions"] = versions_json();
-  json["gl"] = {{"renderer", record.gl_renderer}, {"version", record.gl_version}};
+  json["gl"] = {{"renderer", record.gl_renderer},
+                {"version", record.gl_version},
+                {"device", record.egl_device}};
   json["simulation_hash"] = simulation_hash(scene);
   json["particles"] = record.particles;
   json["boundary_particles"] = record.boundary_particles;

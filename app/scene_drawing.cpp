@@ -20,10 +20,10 @@ std::vector<float> attribute_of(const sim::Frame& frame, gl::ColorBy color_by) {
 
 }  // namespace
 
-SceneDrawing::SceneDrawing(const Scene& scene)
+SceneDrawing::SceneDrawing(const Scene& scene, std::optional<int> cuda_device)
     : scene_(scene),
       renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
-                gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}),
+                gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}, cuda_device),
       obstacles_(scene.simulation.obstacles) {
   std::vector<double> times;  // of all pictures, whichever are wanted now
   for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)

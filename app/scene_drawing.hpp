@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/obstacle_mesh.hpp"
@@ -13,8 +14,10 @@ namespace spindrift::app {
 /// Owns what a scene is drawn with; it belongs to one thread, since a GL context does.
 class SceneDrawing {
  public:
-  /// @param scene must live as long as this. @throws std::runtime_error where nothing can draw
-  explicit SceneDrawing(const Scene& scene);
+  /// @param scene must live as long as this
+  /// @param cuda_device as gl::Renderer's
+  /// @throws std::runtime_error where nothing can draw
+  explicit SceneDrawing(const Scene& scene, std::optional<int> cuda_device = {});
 
   const gl::Renderer::Info& info() const { return renderer_.info(); }
 

@@ -36,6 +36,14 @@ std::string why_not_cuda() {
 #endif
 }
 
+std::optional<int> cuda_device_number() {
+#ifdef SPINDRIFT_CUDA
+  return device_number();
+#else
+  return {};
+#endif
+}
+
 }  // namespace
 
 std::string why_refused(const Settings& settings) {
@@ -49,13 +57,14 @@ std::string why_refused(const Settings& settings) {
 
 BackendChoice choose_backend(const Settings& settings) {
   if (settings.solver.backend == Backend::cpu)
-    return {Backend::cpu, "solver.backend is \"cpu\""};
-  if (settings.solver.backend == Backend::cuda)
-    return {Backend::cuda, "solver.backend is \"cuda\"; " + cuda_device()};
+    return {Backend::cpu, "solver.backend is \"cpu\"", {}};
   const std::string why_not = why_not_cuda();
+  const std::optional<int> gpu = why_not.empty() ? cuda_device_number() : std::nullopt;
+  if (settings.solver.backend == Backend::cuda)
+    return {Backend::cuda, "solver.backend is \"cuda\"; " + cuda_device(), gpu};
   if (!why_not.empty())
-    return {Backend::cpu, why_not};
-  return {Backend::cuda, cuda_device()};
+    return {Backend::cpu, why_not, {}};
+  return {Backend::cuda, cuda_device(), gpu};
 }
 
 }  // namespace spindrift::sim

@@ -1,6 +1,7 @@
 // Which backend runs a simulation.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "sim/settings.hpp"
@@ -8,8 +9,9 @@
 namespace spindrift::sim {
 
 struct BackendChoice {
-  Backend backend = Backend::cpu;  ///< cpu or cuda
-  std::string reason;              ///< why, in words
+  Backend backend = Backend::cpu;       ///< cpu or cuda
+  std::string reason;                   ///< why, in words
+  std::optional<int> cuda_device = {};  ///< CUDA's number of the GPU, where the backend is that
 };
 
 /// What settings.solver.backend comes to on this machine. "auto" is CUDA where that can run the

@@ -362,14 +362,20 @@ struct Run final : Engine {
     measure_start();
   }
 
-  Frame frame() const override {
-    executor.wait();
-    Frame frame;
-    frame.time = time;
-    frame.last_time_step = time_step.last();
-    frame.boundary_pressures = walls.pressures();
-    put_particles(particles, constants.rest_density, frame);
-    return frame;
+  std::future<Frame> take_frame() override {
+    auto copies = copy_particles(executor, particles, constants.rest_density);
+    auto wall_pressures = walls.pressures(executor);
+    const auto put_together = [end = time, last = time_step.last()](auto of_particles,
+                                                                    auto of_walls) {
+      Frame frame;
+      frame.time = end;
+      frame.last_time_step = last;
+      frame.boundary_pressures = of_walls.take();
+      of_particles.put_into(frame);
+      return frame;
+    };
+    return std::async(std::launch::deferred, put_together, std::move(copies),
+                      std::move(wall_pressures));
   }
 
   std::size_t particle_count() const override { return particles.count; }

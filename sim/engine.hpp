@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <future>
 #include <memory>
 
 #include "sim/backend.hpp"
@@ -14,7 +15,8 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual FrameStatistics advance_to(double time, const std::atomic<bool>* stop) = 0;
-  virtual Frame frame() const = 0;
+  virtual std::future<Frame> take_frame() = 0;
+  Frame frame() { return take_frame().get(); }
   virtual std::size_t particle_count() const = 0;
   virtual std::size_t boundary_particle_count() const = 0;
   virtual std::size_t memory_bytes() const = 0;

@@ -257,11 +257,11 @@ void MovingBodies::keep_pressures(Executor& executor) {
   });
 }
 
-std::vector<float> MovingBodies::pressures() const {
-  std::vector<float> values(samples_.size(), 0.f);
-  for (std::uint32_t k = 0; k < placed_.size(); ++k)
-    values[placed_[k]] = boundary_.pressures()[k];
-  return values;
+Copy<float> MovingBodies::pressures(Executor& executor) {
+  keep_pressures(executor);
+  const Boundary::Sample* samples = samples_.data();
+  return executor.copy<float>("take frame", static_cast<std::uint32_t>(samples_.size()),
+                              [=] SPINDRIFT_HD(std::uint32_t i) { return samples[i].pressure; });
 }
 
 void MovingBodies::set_pressures(const std::vector<float>& pressures) {

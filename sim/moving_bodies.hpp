@@ -59,7 +59,8 @@ class MovingBodies {
   double step_within(double distance, double time, double longest) const;
 
   /// Pressures of all samples, in an order that does not depend on where they are, Pa.
-  std::vector<float> pressures() const;
+  Copy<float> pressures(Executor& executor);
+  std::size_t sample_count() const { return samples_.size(); }
   void set_pressures(const std::vector<float>& pressures);
 
   std::size_t memory_bytes() const;

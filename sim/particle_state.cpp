@@ -29,23 +29,37 @@ void set_particles(Executor& executor, Particles& particles, const Frame& frame)
   }
 }
 
-void put_particles(const Particles& particles, float rest_density, Frame& frame) {
+ParticleCopies copy_particles(Executor& executor, Particles& particles, float rest_density) {
+  constexpr std::string_view phase = "take frame";
   const std::uint32_t n = particles.count;
-  frame.ids.assign(particles.ids.begin(), particles.ids.end());
-  frame.positions.reserve(n);
-  frame.velocities.reserve(n);
-  frame.densities.reserve(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    frame.positions.push_back(particles.position.at(i));
-    frame.velocities.push_back(particles.velocity.at(i));
-    frame.densities.push_back(particles.density_ratio[i] * rest_density);
-  }
-  frame.multipliers.assign(particles.pressure.data(), particles.pressure.data() + n);
-  const float* pressure = particles.mean_pressure.data();
-  if (particles.mean_pressure.empty())
-    frame.pressures.assign(n, 0.f);
-  else
-    frame.pressures.assign(pressure, pressure + n);
+  const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
+  const float *ratio = particles.density_ratio.data(), *multiplier = particles.pressure.data(),
+              *pressure =
+                  particles.mean_pressure.empty() ? nullptr : particles.mean_pressure.data();
+  const std::uint32_t* ids = particles.ids.data();
+  const auto position = [=] SPINDRIFT_HD(std::uint32_t i) { return to_glm(x[i]); };
+  const auto velocity = [=] SPINDRIFT_HD(std::uint32_t i) { return to_glm(v[i]); };
+  const auto density = [=] SPINDRIFT_HD(std::uint32_t i) { return ratio[i] * rest_density; };
+  const auto mean_pressure = [=] SPINDRIFT_HD(std::uint32_t i) {
+    return pressure != nullptr ? pressure[i] : 0.f;
+  };
+  const auto last_multiplier = [=] SPINDRIFT_HD(std::uint32_t i) { return multiplier[i]; };
+  const auto id = [=] SPINDRIFT_HD(std::uint32_t i) { return ids[i]; };
+  return {.positions = executor.copy<glm::vec3>(phase, n, position),
+          .velocities = executor.copy<glm::vec3>(phase, n, velocity),
+          .densities = executor.copy<float>(phase, n, density),
+          .pressures = executor.copy<float>(phase, n, mean_pressure),
+          .multipliers = executor.copy<float>(phase, n, last_multiplier),
+          .ids = executor.copy<std::uint32_t>(phase, n, id)};
+}
+
+void ParticleCopies::put_into(Frame& frame) {
+  frame.positions = positions.take();
+  frame.velocities = velocities.take();
+  frame.densities = densities.take();
+  frame.pressures = pressures.take();
+  frame.multipliers = multipliers.take();
+  frame.ids = ids.take();
 }
 
 float largest_speed(Executor& executor, Particles& particles) {

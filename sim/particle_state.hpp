@@ -14,8 +14,17 @@ void set_particles(Executor& executor, Particles& particles, const InitialPartic
 /// Takes over those of a frame.
 void set_particles(Executor& executor, Particles& particles, const Frame& frame);
 
-/// Puts the particles into a frame. @param rest_density kg/m³
-void put_particles(const Particles& particles, float rest_density, Frame& frame);
+/// The particles' part of a frame, on its way.
+struct ParticleCopies {
+  Copy<glm::vec3> positions, velocities;
+  Copy<float> densities, pressures, multipliers;
+  Copy<std::uint32_t> ids;
+
+  void put_into(Frame& frame);
+};
+
+/// Copies the particles as they are now. @param rest_density kg/m³
+ParticleCopies copy_particles(Executor& executor, Particles& particles, float rest_density);
 
 /// m/s.
 float largest_speed(Executor& executor, Particles& particles);

@@ -78,6 +78,13 @@ SPINDRIFT_HD inline float easing_pressure(float compression, float pressure, flo
   return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
 }
 
+/// What one prediction finds; it stays where the loops are until all of it is there.
+struct Prediction {
+  float move = 0;        ///< how far pressure moves a particle at most, m
+  bool too_far = false;  ///< further than the neighbourhood reaches: the residual is not looked for
+  Residual residual;
+};
+
 template <class Kernel>
 class Pcisph : public PressureSolver {
  public:
@@ -96,11 +103,13 @@ class Pcisph : public PressureSolver {
     acceleration_.start();
     start_pressure(s, delta);
     for (int iteration = 0;; ++iteration) {
-      const float move = accelerate_and_predict(s);
-      if (!(move <= largest_move))
+      accelerate_and_predict(s, largest_move);
+      predict_density(s, delta);
+      const Prediction found = prediction_.look();
+      if (found.too_far)
         return {.accepted = false, .iterations = iteration};
-      const Residual residual = predict_density(s, delta);
-      const bool falls_freely = move == 0 && is_nothing(residual, s);
+      const Residual& residual = found.residual;
+      const bool falls_freely = found.move == 0 && is_nothing(residual, s);
       if ((falls_freely || iteration >= settings_.min_iterations) && converged(residual, s)) {
         eases_ = !falls_freely;
         return {true, iteration, s.time_step / s.kick};
@@ -198,37 +207,40 @@ class Pcisph : public PressureSolver {
     });
   }
 
-  /// Pressure acceleration and the position it leads to; returns how far pressure moves a particle
-  /// at most, m.
-  float accelerate_and_predict(const StepContext& s) {
+  /// Pressure acceleration and the position it leads to; notes how far pressure moves a particle.
+  /// @param largest_move that the neighbourhood allows, m
+  void accelerate_and_predict(const StepContext& s, float largest_move) {
     Particles& p = s.particles;
     const PointView drifted = p.drifted_position.view(), corrected = p.corrected_position.view();
     const Vec3Arrays acceleration = p.acceleration.view();
     const float dt2 = s.time_step * s.time_step;
     const StepView step = s.view();
     const Kernel kernel = pressure_kernel_;
-    const Largest squared_move = s.executor.reduce<Largest>(
-        "pressure acceleration", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-          if (step.is_held(i)) {
-            acceleration.set(i, {0, 0, 0});
-            corrected.set(i, drifted[i]);
-            return Largest{};
-          }
-          const Vec3<float> a = pressure_acceleration(i, step.constants, kernel, drifted,
-                                                      step.neighbours, step.boundary);
-          acceleration.set(i, a);
-          corrected.set(i, step.moved(i, dt2 * a));
-          return Largest{dt2 * dt2 * dot(a, a)};
-        });
+    const auto accelerate = [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (step.is_held(i)) {
+        acceleration.set(i, {0, 0, 0});
+        corrected.set(i, drifted[i]);
+        return Largest{};
+      }
+      const Vec3<float> a =
+          pressure_acceleration(i, step.constants, kernel, drifted, step.neighbours, step.boundary);
+      acceleration.set(i, a);
+      corrected.set(i, step.moved(i, dt2 * a));
+      return Largest{dt2 * dt2 * dot(a, a)};
+    };
+    const auto note = [=] SPINDRIFT_HD(Prediction & found, const Largest& squared_move) {
+      found.move = std::sqrt(squared_move.value);
+      found.too_far = !(found.move <= largest_move);
+    };
+    s.executor.reduce_to<Largest>("pressure acceleration", p.count, prediction_, accelerate, note);
     s.executor.for_each("sentinel", 1, [=] SPINDRIFT_HD(std::uint32_t) {
       corrected.set(step.count, {sentinel_position, sentinel_position, sentinel_position});
     });
-    return std::sqrt(squared_move.value);
   }
 
   /// Density where the particles are predicted to be. A particle under pressure must be at the rest
   /// density, neither above nor below it: expansion held up by pressure is an error as well.
-  Residual predict_density(const StepContext& s, float delta) {
+  void predict_density(const StepContext& s, float delta) {
     Particles& p = s.particles;
     const PointView corrected = p.corrected_position.view(), drifted = p.drifted_position.view();
     float* ratio = p.density_ratio.data();
@@ -236,38 +248,48 @@ class Pcisph : public PressureSolver {
     const CubicKernel kernel = density_kernel_;
     const float most = settings_.max_compression;
     const bool settling = s.settling;
-    Residual residual =
-        s.executor.reduce<Residual>("predict density", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-          ratio[i] =
-              density_ratio(i, step.constants, kernel, corrected, step.neighbours, step.boundary);
-          if (step.is_held(i))
-            return Residual{};
-          const float wanted = step.compression(i);
-          const bool too_dense = step.excess[i] > most;
-          const float compression = std::max(0.f, settling || too_dense ? wanted : ratio[i] - 1.f);
-          const float error = std::abs(std::max(wanted, -drifted.value(i) / delta));
-          return Residual{compression, error, compression};
-        });
-    residual.error += predict_wet_density(s, delta);
-    return residual;
+    const auto so_far = prediction_.view();
+    const auto predict = [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (so_far->too_far)
+        return Residual{};
+      ratio[i] =
+          density_ratio(i, step.constants, kernel, corrected, step.neighbours, step.boundary);
+      if (step.is_held(i))
+        return Residual{};
+      const float wanted = step.compression(i);
+      const bool too_dense = step.excess[i] > most;
+      const float compression = std::max(0.f, settling || too_dense ? wanted : ratio[i] - 1.f);
+      const float error = std::abs(std::max(wanted, -drifted.value(i) / delta));
+      return Residual{compression, error, compression};
+    };
+    const auto note = [=] SPINDRIFT_HD(Prediction & found, const Residual& residual) {
+      found.residual = residual;
+    };
+    s.executor.reduce_to<Residual>("predict density", p.count, prediction_, predict, note);
+    predict_wet_density(s, delta);
   }
 
-  /// The same for the wet boundary samples; returns the sum of their errors. Without them a pair of
-  /// particles that lands on a floor bounces.
-  double predict_wet_density(const StepContext& s, float delta) {
+  /// The same for the wet boundary samples; adds their errors. Without them a pair of particles
+  /// that lands on a floor bounces.
+  void predict_wet_density(const StepContext& s, float delta) {
     const PointView corrected = s.particles.corrected_position.view();
     const StepView step = s.view();
     const CubicKernel kernel = density_kernel_;
     float* compression = wet_compression_.resized(s.boundary.wet_count);
-    const Sum error = s.executor.reduce<Sum>(
-        "predict density", s.boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
-          const BoundaryView& solid = step.boundary;
-          const std::uint32_t b = solid.wet[k];
-          compression[k] = boundary_density_ratio(b, step.constants, kernel, corrected, solid) -
-                           1.f - step.kept_by_sample(b);
-          return Sum{std::abs(std::max(compression[k], -solid.step_pressure[b] / delta))};
-        });
-    return error.value;
+    const auto so_far = prediction_.view();
+    const auto predict = [=] SPINDRIFT_HD(std::uint32_t k) {
+      if (so_far->too_far)
+        return Sum{};
+      const BoundaryView& solid = step.boundary;
+      const std::uint32_t b = solid.wet[k];
+      compression[k] = boundary_density_ratio(b, step.constants, kernel, corrected, solid) - 1.f -
+                       step.kept_by_sample(b);
+      return Sum{std::abs(std::max(compression[k], -solid.step_pressure[b] / delta))};
+    };
+    const auto note = [=] SPINDRIFT_HD(Prediction & found, const Sum& error) {
+      found.residual.error += error.value;
+    };
+    s.executor.reduce_to<Sum>("predict density", s.boundary.wet_count, prediction_, predict, note);
   }
 
   /// The first correction of a step: what the whole liquid needs, from the coarse grid, and what
@@ -332,11 +354,16 @@ class Pcisph : public PressureSolver {
                    after = std::max(moved_ratio[i] - 1, -pressure[i] / delta);
       return Errors{before * before, after * after, ratio[i] - 1, moved_ratio[i] - 1};
     };
-    const Errors errors = s.executor.reduce<Errors>("ease", p.count, compare);
-    if (errors.after > errors.before ||
-        errors.largest_after > std::max(errors.largest_before, settings_.max_compression))
-      return;
+    const float most = settings_.max_compression;
+    const auto judge = [=] SPINDRIFT_HD(bool& better, const Errors& errors) {
+      better = !(errors.after > errors.before ||
+                 errors.largest_after > std::max(errors.largest_before, most));
+    };
+    s.executor.reduce_to<Errors>("ease", p.count, better_, compare, judge);
+    const auto better = better_.view();
     s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (!*better)
+        return;
       x.set(i, moved[i]);
       corrected.set(i, moved[i]);
       ratio[i] = moved_ratio[i];
@@ -352,6 +379,8 @@ class Pcisph : public PressureSolver {
   AndersonAcceleration acceleration_;
   bool eases_ = false;           ///< whether the last step has left over what is worth it
   ScalarField wet_compression_;  ///< of the wet boundary samples, this iteration
+  Kept<Prediction> prediction_;
+  Kept<bool> better_;  ///< whether positions that were eased are better than those before
 };
 
 }  // namespace

@@ -37,8 +37,8 @@ FrameStatistics Simulation::advance_to(double time, const std::atomic<bool>* sto
   return engine_->advance_to(time, stop);
 }
 
-Frame Simulation::frame() const {
-  return engine_->frame();
+std::future<Frame> Simulation::take_frame() {
+  return engine_->take_frame();
 }
 
 std::size_t Simulation::particle_count() const {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <future>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -74,7 +75,10 @@ class Simulation {
   /// use.
   FrameStatistics advance_to(double time, const std::atomic<bool>* stop = nullptr);
 
-  Frame frame() const;
+  /// The particles as they are now, for whoever asks for them, in any thread and at any time: on a
+  /// GPU they cross over while later steps run.
+  std::future<Frame> take_frame();
+  Frame frame() { return take_frame().get(); }
   const BackendChoice& backend() const { return backend_; }
   std::size_t particle_count() const;
   std::size_t boundary_particle_count() const;

@@ -62,10 +62,12 @@ void Viscosity::explicit_step(const StepContext& s) {
 }
 
 /// Backward Euler: (1 − Δt ν∇²) v = v*, solved by conjugate gradients for the change v − v*, whose
-/// right side is Δt ν∇² v* (as Weiler et al. 2018 do).
+/// right side is Δt ν∇² v* (as Weiler et al. 2018 do). Loops that are begun after the end do
+/// nothing.
 void Viscosity::implicit_step(const StepContext& s) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-6;
+  constexpr std::string_view phase = "viscosity";
   Particles& p = s.particles;
   const std::uint32_t n = p.count;
   residual_.resize(n);
@@ -77,48 +79,51 @@ void Viscosity::implicit_step(const StepContext& s) {
   step.boundary.velocity = {};  // a change of velocity does not meet the walls' own
   const DiffusionKernel kernel = kernel_;
   const float dt = s.time_step;
-  double squared = s.executor
-                       .reduce<Sum>("viscosity", n,
-                                    [=] SPINDRIFT_HD(std::uint32_t i) {
-                                      const Vec3<float> right = dv[i];
-                                      r.set(i, right);
-                                      direction.set(i, right);
-                                      dv.set(i, {0, 0, 0});
-                                      return Sum{double{dot(right, right)}};
-                                    })
-                       .value;
-  s.executor.for_each("viscosity", 1, [=] SPINDRIFT_HD(std::uint32_t) {
-    direction.set(n, {0, 0, 0});
-  });
-  const double goal = squared_tolerance * squared;
-  for (int k = 0; k < most_iterations && squared > goal; ++k) {
-    const double curvature =
-        s.executor
-            .reduce<Sum>("viscosity", n,
-                         [=] SPINDRIFT_HD(std::uint32_t i) {
-                           const Vec3<float> d = direction[i];
-                           const Vec3<float> a =
-                               d - dt * free_acceleration(i, step, kernel, direction);
-                           image.set(i, a);
-                           return Sum{double{dot(a, d)}};
-                         })
-            .value;
-    if (!(curvature > 0))
+  const auto begin = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Vec3<float> right = dv[i];
+    r.set(i, right);
+    direction.set(i, right);
+    dv.set(i, {0, 0, 0});
+    return Sum{double{dot(right, right)}};
+  };
+  const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+    it = ConjugateGradients::to(squared_tolerance, squared.value);
+  };
+  s.executor.reduce_to<Sum>(phase, n, iteration_, begin, set_goal);
+  s.executor.for_each(phase, 1, [=] SPINDRIFT_HD(std::uint32_t) { direction.set(n, {0, 0, 0}); });
+  for (int k = 0; k < most_iterations; ++k) {
+    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration_.look().goes_on)
       return;
-    const float way = static_cast<float>(squared / curvature);
-    const double next = s.executor
-                            .reduce<Sum>("viscosity", n,
-                                         [=] SPINDRIFT_HD(std::uint32_t i) {
-                                           dv.set(i, dv[i] + way * direction[i]);
-                                           const Vec3<float> left = r[i] - way * image[i];
-                                           r.set(i, left);
-                                           return Sum{double{dot(left, left)}};
-                                         })
-                            .value;
-    const float beta = static_cast<float>(next / squared);
-    squared = next;
-    s.executor.for_each("viscosity", n, [=] SPINDRIFT_HD(std::uint32_t i) {
-      direction.set(i, r[i] + beta * direction[i]);
+    const auto last = iteration_.view();
+    const auto apply = [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (!last->goes_on)
+        return Sum{};
+      const Vec3<float> d = direction[i];
+      const Vec3<float> a = d - dt * free_acceleration(i, step, kernel, direction);
+      image.set(i, a);
+      return Sum{double{dot(a, d)}};
+    };
+    const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
+      it.find_step(curvature.value);
+    };
+    s.executor.reduce_to<Sum>(phase, n, iteration_, apply, find_step);
+    const auto found = iteration_.view();
+    const auto go = [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (!found->goes_on)
+        return Sum{};
+      dv.set(i, dv[i] + found->step * direction[i]);
+      const Vec3<float> left = r[i] - found->step * image[i];
+      r.set(i, left);
+      return Sum{double{dot(left, left)}};
+    };
+    const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+      it.find_beta(squared.value);
+    };
+    s.executor.reduce_to<Sum>(phase, n, iteration_, go, find_beta);
+    const auto next = iteration_.view();
+    s.executor.for_each(phase, n, [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (next->goes_on)
+        direction.set(i, r[i] + next->beta * direction[i]);
     });
   }
 }

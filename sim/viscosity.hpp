@@ -2,6 +2,7 @@
 // same operator, so that what a scene looks like does not depend on which it is.
 #pragma once
 
+#include "sim/conjugate_gradients.hpp"
 #include "sim/solver.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
@@ -27,6 +28,7 @@ class Viscosity {
   double explicit_limit_;  ///< largest stable explicit time step, s
   // Of the implicit step, which is a conjugate gradient iteration; empty until it is needed.
   VectorField residual_, image_;
+  Kept<ConjugateGradients> iteration_;
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -35,15 +35,16 @@ double Walls::step_within(double distance, double time, double longest) const {
   return moving_ ? moving_->step_within(distance, time, longest) : longest;
 }
 
-std::vector<float> Walls::pressures() const {
+Copy<float> Walls::pressures(Executor& executor) {
   if (moving_)
-    return moving_->pressures();
-  const float* values = boundary_.pressures().data();
-  return {values, values + boundary_.count()};
+    return moving_->pressures(executor);
+  const float* pressure = boundary_.pressures().data();
+  return executor.copy<float>("take frame", boundary_.count(),
+                              [=] SPINDRIFT_HD(std::uint32_t b) { return pressure[b]; });
 }
 
 void Walls::set_pressures(const std::vector<float>& pressures) {
-  const std::size_t samples = moving_ ? moving_->pressures().size() : boundary_.count();
+  const std::size_t samples = moving_ ? moving_->sample_count() : boundary_.count();
   if (pressures.size() != samples)
     throw std::invalid_argument("cannot go on from a frame with other walls or obstacles");
   if (moving_)

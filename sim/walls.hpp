@@ -46,8 +46,9 @@ class Walls {
     return {moving_ ? moving_->samples() : nullptr, boundary_.positions(), boundary_.solids()};
   }
 
-  /// Pressures of all samples, in an order that does not depend on where they are, Pa.
-  std::vector<float> pressures() const;
+  /// Pressures of all samples as they are now, in an order that does not depend on where those
+  /// are, Pa.
+  Copy<float> pressures(Executor& executor);
   /// @throws std::invalid_argument where these are not so many
   void set_pressures(const std::vector<float>& pressures);
 

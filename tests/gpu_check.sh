@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What only a machine with a GPU can check: the device backend's tests on it, under compute-sanitizer
-# too, the benchmark's table for both backends, and a golden frame. Prints a table of what passed.
+# too, the benchmark's table for both backends, a golden frame, and a whole run, whose pictures
+# should be drawn by the same GPU. Prints a table of what passed.
 # usage: tests/gpu_check.sh [BUILD FOLDER, build/gpu if left out]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -42,8 +43,11 @@ check bench_cpu bench cpu
 check bench_cuda bench cuda
 check golden_frame "$build/spindrift" golden check tests/golden/scenes.json --only dam_break \
   --set solver.backend=cuda -o "$logs/golden"
+check render "$build/spindrift" render scenes/small_dam_break.json --backend cuda \
+  --set video.duration=0.5 -o "$logs/render"
 
 echo "GPU: $(cat "$logs/gpu.txt")"
+echo "drawn by: $(grep -o '"device": "[^"]*"' "$logs/render/run.json" || echo nothing)"
 echo "| check | result | time | log |"
 echo "|---|---|---|---|"
 printf '%s\n' "${rows[@]}"

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
+
+#include "render/gl/egl_devices.hpp"
 
 namespace spindrift::gl {
 
@@ -31,7 +34,12 @@ Function egl_function(const char* name) {
   return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-/// All EGL devices of this machine, GPUs before software.
+struct Display {
+  EGLDisplay display;
+  std::string name;  ///< in words
+};
+
+/// All EGL devices of this machine.
 std::vector<EGLDeviceEXT> devices() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const bool enumerable = has_extension(client, "EGL_EXT_device_enumeration") ||
@@ -40,50 +48,65 @@ std::vector<EGLDeviceEXT> devices() {
     return {};
   }
   const auto query_devices = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-  const auto query_string = egl_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
   EGLint count = 0;
-  if (!query_devices || !query_string || !query_devices(0, nullptr, &count) || count <= 0) {
+  if (!query_devices || !query_devices(0, nullptr, &count) || count <= 0) {
     return {};
   }
   std::vector<EGLDeviceEXT> found(static_cast<std::size_t>(count));
   query_devices(count, found.data(), &count);
   found.resize(static_cast<std::size_t>(count));
-  std::stable_partition(found.begin(), found.end(), [&](EGLDeviceEXT device) {
-    return !has_extension(query_string(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
-  });
   return found;
 }
 
+EglDevice described(EGLDeviceEXT device) {
+  const auto query_string = egl_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  const auto query_number = egl_function<PFNEGLQUERYDEVICEATTRIBEXTPROC>("eglQueryDeviceAttribEXT");
+  const char* extensions = query_string ? query_string(device, EGL_EXTENSIONS) : nullptr;
+  EglDevice result{.software = has_extension(extensions, "EGL_MESA_device_software")};
+  EGLAttrib number = 0;
+  if (has_extension(extensions, "EGL_NV_device_cuda") && query_number &&
+      query_number(device, EGL_CUDA_DEVICE_NV, &number)) {
+    result.cuda_device = static_cast<int>(number);
+  }
+  return result;
+}
+
 /// The displays to try, best first.
-std::vector<EGLDisplay> displays() {
+std::vector<Display> displays(std::optional<int> cuda_device) {
   const auto get_display =
       egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
   if (!get_display) {
     return {};
   }
-  std::vector<EGLDisplay> found;
-  for (const EGLDeviceEXT device : devices()) {
-    found.push_back(get_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+  const std::vector<EGLDeviceEXT> all = devices();
+  std::vector<EglDevice> descriptions;
+  std::transform(all.begin(), all.end(), std::back_inserter(descriptions), described);
+  std::vector<Display> found;
+  for (const std::size_t k : order_to_try(descriptions, cuda_device)) {
+    found.push_back({get_display(EGL_PLATFORM_DEVICE_EXT, all[k], nullptr),
+                     name_of(descriptions, k, cuda_device)});
   }
   if (has_extension(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS),
                     "EGL_MESA_platform_surfaceless")) {
-    found.push_back(get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    found.push_back({get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
+                     "Mesa's surfaceless platform"});
   }
-  std::erase(found, EGL_NO_DISPLAY);
+  std::erase_if(found, [](const Display& d) { return d.display == EGL_NO_DISPLAY; });
   return found;
 }
 
 }  // namespace
 
-EglContext::EglContext() {
+EglContext::EglContext(std::optional<int> cuda_device) {
   // Mesa warns on stderr about devices it cannot open, although the next one then works. Whoever
   // wants to see that sets the variable.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
 
   std::string reason;
-  for (const EGLDisplay display : displays()) {
-    reason = try_display(display);
+  for (const Display& candidate : displays(cuda_device)) {
+    reason = try_display(candidate.display);
     if (reason.empty()) {
+      device_ = candidate.name;
       return;
     }
   }

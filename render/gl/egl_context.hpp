@@ -3,17 +3,20 @@
 
 #include <EGL/egl.h>
 
+#include <optional>
 #include <string>
 
 namespace spindrift::gl {
 
-/// Owns one context. A GPU's EGL device is taken if one works, else Mesa's software device, else
-/// Mesa's surfaceless platform. The EGL display itself belongs to the process: EGL hands the same
-/// one to whoever asks for the same device, so that it is never terminated here.
+/// Owns one context. The EGL device of the GPU that CUDA computes on is taken if it works, else
+/// another GPU's, else Mesa's software device, else Mesa's surfaceless platform. The EGL display
+/// itself belongs to the process: EGL hands the same one to whoever asks for the same device, so
+/// that it is never terminated here.
 class EglContext {
  public:
+  /// @param cuda_device CUDA's number of the GPU that it computes on, if it does
   /// @throws std::runtime_error saying what is missing and which Debian package supplies it.
-  EglContext();
+  explicit EglContext(std::optional<int> cuda_device);
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
@@ -31,6 +34,8 @@ class EglContext {
   };
 
   std::string vendor() const;
+  /// Which device was taken, in words.
+  const std::string& device() const { return device_; }
 
  private:
   /// Why this display cannot be used; empty when a context was made on it.
@@ -38,6 +43,7 @@ class EglContext {
 
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
+  std::string device_;
 };
 
 }  // namespace spindrift::gl

@@ -215,6 +215,8 @@ class Drawing {
 }  // namespace
 
 struct Renderer::Impl {
+  explicit Impl(std::optional<int> cuda_device) : context(cuda_device) {}
+
   EglContext context;
   Info info;
   std::optional<Drawing> drawing;
@@ -226,14 +228,14 @@ struct Renderer::Impl {
 };
 
 Renderer::Renderer(int width, int height, const LookSettings& look, const LightSettings& light,
-                   const Stage& stage) {
+                   const Stage& stage, std::optional<int> cuda_device) {
   if (width <= 0 || height <= 0) {
     throw std::invalid_argument(fmt::format("a picture cannot have {} x {} pixels", width, height));
   }
-  impl_ = std::make_unique<Impl>();
+  impl_ = std::make_unique<Impl>(cuda_device);
   const EglContext::Current current(impl_->context);
   impl_->info = {driver_string(GL_RENDERER), driver_string(GL_VERSION), impl_->context.vendor(),
-                 false};
+                 impl_->context.device(), false};
   impl_->info.software = impl_->info.renderer.find("llvmpipe") != std::string::npos ||
                          impl_->info.renderer.find("softpipe") != std::string::npos;
   GLint largest = 0;

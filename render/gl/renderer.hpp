@@ -68,10 +68,12 @@ struct ParticleCloud {
 /// Owns the EGL display, the context and everything drawn with. Use it from one thread at a time.
 class Renderer {
  public:
+  /// @param cuda_device CUDA's number of the GPU that it computes on: the one to draw with, if it
+  /// can. None: the first that can
   /// @throws std::runtime_error with a sentence for people when no EGL device or no OpenGL 4.5 is
   /// there.
   Renderer(int width, int height, const LookSettings& look, const LightSettings& light,
-           const Stage& stage);
+           const Stage& stage, std::optional<int> cuda_device = {});
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -85,9 +87,10 @@ class Renderer {
   Image draw(const Mesh& liquid, const View& view);
   Image draw(const ParticleCloud& liquid, const View& view);
 
-  /// What draws: GL renderer, version and EGL vendor, as strings of the driver.
+  /// What draws: GL renderer, version and EGL vendor, as strings of the driver, and which of the
+  /// machine's EGL devices it is.
   struct Info {
-    std::string renderer, version, egl_vendor;
+    std::string renderer, version, egl_vendor, egl_device;
     bool software = false;  ///< Mesa's llvmpipe or softpipe
   };
   const Info& info() const;

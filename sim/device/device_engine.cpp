@@ -6,17 +6,27 @@
 
 namespace spindrift::sim {
 
-std::string device_name() {
 #ifdef __CUDACC__
-  const auto check = [](cudaError_t error) {
-    if (error != cudaSuccess)
-      throw std::runtime_error(std::string("CUDA finds no GPU that it can use: ") +
-                               cudaGetErrorString(error));
-  };
+
+namespace {
+
+void check_found(cudaError_t error) {
+  if (error != cudaSuccess)
+    throw std::runtime_error(std::string("CUDA finds no GPU that it can use: ") +
+                             cudaGetErrorString(error));
+}
+
+}  // namespace
+
+int device_number() {
   int number = 0;
+  check_found(cudaGetDevice(&number));
+  return number;
+}
+
+std::string device_name() {
   cudaDeviceProp properties;
-  check(cudaGetDevice(&number));
-  check(cudaGetDeviceProperties(&properties, number));
+  check_found(cudaGetDeviceProperties(&properties, device_number()));
   try {  // a GPU may be older than all that the program was built for
     launch(1, [] SPINDRIFT_HD(std::uint32_t) {});
     wait();
@@ -25,10 +35,19 @@ std::string device_name() {
                              error.what());
   }
   return properties.name;
-#else
-  return "the processor's cores, by Thrust";
-#endif
 }
+
+#else
+
+int device_number() {
+  return 0;
+}
+
+std::string device_name() {
+  return "the processor's cores, by Thrust";
+}
+
+#endif
 
 std::unique_ptr<Engine> make_device_engine(const Settings& settings) {
   return make_engine(settings);

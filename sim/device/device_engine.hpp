@@ -11,6 +11,9 @@ namespace spindrift::sim {
 /// The device that loops run on. @throws std::runtime_error where there is none that can, why
 std::string device_name();
 
+/// CUDA's number for it. @throws std::runtime_error where there is none
+int device_number();
+
 std::unique_ptr<Engine> make_device_engine(const Settings& settings);
 std::unique_ptr<Engine> make_device_engine(const Settings& settings, const Frame& start);
 

@@ -6,6 +6,7 @@
 
 #include "sim/device/algorithms.hpp"
 #include "sim/device/arrays.hpp"
+#include "sim/device/copy.hpp"
 #include "sim/device/loops.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
@@ -20,7 +21,7 @@ class Kept {
   /// How many loops that change it the processor should begin before it looks at it again.
   static constexpr int look_every = 4;
 
-  /// As loops look at it: with view->member.
+  /// As loops look at it: like a pointer.
   const T* view() const { return value_.data(); }
   /// As the processor does; waits.
   T look() const { return fetched(value_.data()); }
@@ -80,13 +81,24 @@ class Executor {
   void add_at_places(std::string_view name, Index n, float* sums, Index place_count, Place place,
                      Value value);
 
+  /// f(i) for i in [0, n), as it is now, for the processor to look at later.
+  template <class T, class F>
+  Copy<T> copy(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    std::shared_ptr<CopyRoom> room = copies_.take(n * sizeof(T));
+    T* const to = static_cast<T*>(room->on_device());
+    launch(n, [=] SPINDRIFT_HD(Index i) { to[i] = f(i); });
+    room->send(n * sizeof(T));
+    return {std::move(room), n};
+  }
+
   /// Until the processor may look at the particles.
   void wait() const { device::wait(); }
 
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }
   std::size_t memory_bytes() const {
-    return scratch_.memory_bytes() + flags_.capacity() +
+    return scratch_.memory_bytes() + copies_.memory_bytes() + flags_.capacity() +
            4 * (places_.capacity() + other_places_.capacity() + terms_.capacity() +
                 other_terms_.capacity());
   }
@@ -94,6 +106,7 @@ class Executor {
  private:
   PhaseClock clock_;
   Scratch scratch_;
+  CopyRooms copies_;
   Array<std::uint8_t> flags_;                                         ///< of select()
   Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
 };

@@ -3,32 +3,10 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
-#include <stdexcept>
-#include <string>
 
-#ifdef __CUDACC__
-#include <cuda_runtime.h>
-#endif
+#include "sim/device/errors.hpp"
 
 namespace spindrift::sim::inline device {
-namespace {
-
-[[noreturn]] void too_little(std::size_t bytes, std::size_t free) {
-  const auto megabytes = [](std::size_t n) { return std::to_string((n + 999'999) / 1'000'000); };
-  throw std::runtime_error("the device has too little memory: " + megabytes(bytes) +
-                           " MB more are needed, " + megabytes(free) +
-                           " MB are free; use a larger fluid.spacing, or the backend \"cpu\"");
-}
-
-#ifdef __CUDACC__
-void check(cudaError_t error) {
-  if (error != cudaSuccess)
-    throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(error));
-}
-#endif
-
-}  // namespace
-
 #ifdef __CUDACC__
 
 /// Managed memory could be larger than the device's, and would then be moved to and fro in each
@@ -37,11 +15,11 @@ void* allocate(std::size_t bytes) {
   std::size_t free = 0, all = 0;
   check(cudaMemGetInfo(&free, &all));
   if (bytes > free)
-    too_little(bytes, free);
+    too_little_memory(bytes, free);
   void* memory = nullptr;
   const cudaError_t error = cudaMallocManaged(&memory, std::max<std::size_t>(bytes, 1));
   if (error == cudaErrorMemoryAllocation)
-    too_little(bytes, free);
+    too_little_memory(bytes, free);
   check(error);
   return memory;
 }
@@ -79,7 +57,7 @@ void* allocate(std::size_t bytes) {
   try {
     return ::operator new(bytes, alignment);
   } catch (const std::bad_alloc&) {
-    too_little(bytes, 0);
+    too_little_memory(bytes, 0);
   }
 }
 

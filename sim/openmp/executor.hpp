@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/openmp/arrays.hpp"
@@ -27,8 +28,9 @@ class Kept {
   struct View {
     T value;
     const T* operator->() const { return &value; }
+    const T& operator*() const { return value; }
   };
-  /// As loops look at it: with view->member.
+  /// As loops look at it: like a pointer.
   View view() const { return {value_}; }
   /// As the processor does.
   const T& look() const { return value_; }
@@ -36,6 +38,18 @@ class Kept {
 
  private:
   T value_{};
+};
+
+/// Numbers as they were when they were copied.
+template <class T>
+class Copy {
+ public:
+  explicit Copy(std::vector<T> values) : values_(std::move(values)) {}
+  /// Once.
+  std::vector<T> take() { return std::move(values_); }
+
+ private:
+  std::vector<T> values_;
 };
 
 class Executor {
@@ -101,6 +115,17 @@ class Executor {
     const PhaseClock::Scope timed(clock_, name);
     for (Index k = 0; k < n; ++k)
       sums[place(k)] += value(k);
+  }
+
+  /// f(i) for i in [0, n), as it is now, for whoever looks at it later.
+  template <class T, class F>
+  Copy<T> copy(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    std::vector<T> values;
+    values.reserve(n);
+    for (Index i = 0; i < n; ++i)
+      values.push_back(f(i));
+    return Copy<T>(std::move(values));
   }
 
   /// Until particles may be looked at outside of loops.

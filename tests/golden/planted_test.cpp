@@ -34,7 +34,7 @@ app::KeptFrame simulated(const app::Scene& scene, int number) {
   app::ParticleSource source(scene, options, readings);
   for (int k = 0; k < number; ++k)
     source.next(k);
-  return source.next(number).value();
+  return source.keep(number, source.next(number).value());
 }
 
 glm::vec3 turned(glm::vec3 direction, float degrees, glm::vec3 axis) {

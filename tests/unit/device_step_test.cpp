@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <future>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
@@ -125,6 +126,18 @@ void check_same_exchange(const Exchange& a, const Exchange& b) {
   CHECK(a.energy_out == Approx(b.energy_out).epsilon(1e-4));
 }
 
+void check_same_frame(const Frame& a, const Frame& b) {
+  CHECK(a.time == b.time);
+  CHECK(a.last_time_step == b.last_time_step);
+  CHECK(a.positions == b.positions);
+  CHECK(a.velocities == b.velocities);
+  CHECK(a.densities == b.densities);
+  CHECK(a.pressures == b.pressures);
+  CHECK(a.multipliers == b.multipliers);
+  CHECK(a.ids == b.ids);
+  CHECK(a.boundary_pressures == b.boundary_pressures);
+}
+
 void check_same_after(const Settings& settings, int steps) {
   const Runs runs = run_both(settings, double{step} * steps);
   CHECK(runs.device_statistics.steps == runs.cpu_statistics.steps);
@@ -168,6 +181,20 @@ TEST_CASE("ten steps with viscosity and tension on the device lead where the pro
     s.obstacles[0].wall_viscosity = 50.f;
   }
   check_same_after(s, 10);
+}
+
+TEST_CASE("steps that are too long are refused on the device as on the processor") {
+  Settings s = splash();
+  s.fluid.volumes[1].velocity = {-10, -20, 0};
+  s.solver.cfl = 2;
+  s.solver.max_time_step = 20 * step;
+  s.obstacles.clear();
+  const Runs runs = run_both(s, 20 * double{step});
+  CHECK(runs.cpu_statistics.rejected_steps > 2);
+  CHECK(runs.device_statistics.rejected_steps == runs.cpu_statistics.rejected_steps);
+  CHECK(runs.device_statistics.steps == runs.cpu_statistics.steps);
+  CHECK(runs.device_statistics.iterations == runs.cpu_statistics.iterations);
+  CHECK(largest_distance(runs.cpu, runs.device) < 1e-3f * s.fluid.spacing);
 }
 
 TEST_CASE("steps among bodies that move lead where the processor's do on the device") {
@@ -225,6 +252,34 @@ TEST_CASE("a hundred steps on the device compress and iterate as on the processo
   CHECK((a.exchange.drained > 0) == flows);
   CHECK((a.exchange.left > 0) == flows);
   CHECK((a.exchange.held_back > 0) == flows);
+}
+
+TEST_CASE("a frame that is read after further steps holds what was there when it was taken") {
+  const auto engine = make_engine(GENERATE(splash(), stirred()));
+  engine->advance_to(double{step}, nullptr);
+  const Frame at_once = engine->frame();
+  std::future<Frame> first = engine->take_frame();
+  engine->advance_to(3 * double{step}, nullptr);
+  std::future<Frame> second = engine->take_frame();
+  engine->advance_to(5 * double{step}, nullptr);
+  const Frame end = engine->frame();
+  check_same_frame(first.get(), at_once);
+  const Frame middle = second.get();
+  CHECK(middle.time == 3 * double{step});
+  CHECK(largest_distance(middle, at_once) > 1e-3f);
+  CHECK(largest_distance(middle, end) > 1e-3f);
+}
+
+TEST_CASE("a frame of the device has every number of the processor's that was put there") {
+  const Settings s = GENERATE(splash(), stirred());
+  Simulation cpu(s);
+  cpu.advance_to(3 * double{step});
+  Frame given = cpu.frame();
+  Frame back = make_engine(s, given)->frame();
+  for (std::size_t i = 0; i < given.densities.size(); ++i)  // computed anew
+    REQUIRE(back.densities[i] == Approx(given.densities[i]));
+  back.densities = given.densities;
+  check_same_frame(back, given);
 }
 
 TEST_CASE("a run on the device that goes on from a frame ends where one in one piece does") {

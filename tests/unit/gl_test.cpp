@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "gl_support.hpp"
+#include "render/gl/egl_devices.hpp"
 
 using namespace spindrift;
 using namespace spindrift::gl;
@@ -49,7 +50,29 @@ TEST_CASE("the driver says what it is") {
   const Renderer renderer(8, 8, {}, {}, {});
   CHECK_FALSE(renderer.info().renderer.empty());
   CHECK_FALSE(renderer.info().egl_vendor.empty());
+  CHECK_FALSE(renderer.info().egl_device.empty());
   CHECK(renderer.info().version >= "4.5");
+}
+
+TEST_CASE("the GPU that CUDA computes on draws, then another, then the processor") {
+  using Order = std::vector<std::size_t>;
+  // As a machine with Mesa's software, Mesa's driver of a GPU and two GPUs of NVIDIA's lists them.
+  const std::vector<EglDevice> machine{
+      {.software = true}, {}, {.cuda_device = 1}, {.cuda_device = 0}};
+  CHECK(order_to_try(machine, std::nullopt) == Order{1, 2, 3, 0});
+  CHECK(order_to_try(machine, 0) == Order{3, 1, 2, 0});
+  CHECK(order_to_try(machine, 1) == Order{2, 1, 3, 0});
+  CHECK(order_to_try(machine, 2) == Order{1, 2, 3, 0});
+  CHECK(order_to_try({}, 0).empty());
+  CHECK(name_of(machine, 3, 0) == "EGL device 4 of 4, CUDA device 0");
+  CHECK(name_of(machine, 1, 0) == "EGL device 2 of 4; CUDA computes on its device 0");
+  CHECK(name_of(machine, 0, std::nullopt) == "EGL device 1 of 4, software");
+}
+
+TEST_CASE("a GPU that is not there is no reason not to draw") {
+  const Renderer renderer(8, 8, {}, {}, {}, 63);
+  CHECK_FALSE(renderer.info().renderer.empty());
+  CHECK_FALSE(renderer.info().egl_device.empty());
 }
 
 TEST_CASE("a picture without width or height is refused") {

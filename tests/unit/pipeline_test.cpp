@@ -77,6 +77,7 @@ TEST_CASE("a run leaves its frames, a video and a report") {
   CHECK(report.at("frames").at(5).at("max_compression") <= 0.03);
   CHECK(report.at("scene").at("video").at("width") == 96);
   CHECK_FALSE(report.at("gl").at("renderer").get<std::string>().empty());
+  CHECK_FALSE(report.at("gl").at("device").get<std::string>().empty());
   CHECK(report.at("stage_seconds").contains("draw"));
 }
 

@@ -96,6 +96,36 @@ TEST_CASE("what a reduction leaves where the loops are is there for the next one
   }
 }
 
+TEST_CASE("what is copied stays as it was when the copy was begun, whenever it is looked at") {
+  std::vector<Copy<float>> copies;
+  {
+    Executor executor;
+    ScalarField field;
+    field.resize(count);
+    float* values = field.data();
+    for (int round = 0; round < 5; ++round) {
+      executor.for_each("count", count, [=] SPINDRIFT_HD(std::uint32_t i) {
+        values[i] += static_cast<float>(i % 7);
+      });
+      // Fewer each time, then more, so that room is given again.
+      const std::uint32_t n = count - 1000 * (round % 3);
+      copies.push_back(executor.copy<float>(
+          "copy", n, [=] SPINDRIFT_HD(std::uint32_t i) { return 2 * values[i]; }));
+      if (round == 2)
+        CHECK(copies[1].take().size() == count - 1000);
+    }
+    CHECK(executor.copy<float>("copy", 0, [=] SPINDRIFT_HD(std::uint32_t) { return 1.f; })
+              .take()
+              .empty());
+  }
+  for (const int round : {0, 2, 3, 4}) {
+    const std::vector<float> taken = copies[static_cast<std::size_t>(round)].take();
+    REQUIRE(taken.size() == count - 1000 * (round % 3));
+    for (std::uint32_t i = 0; i < taken.size(); ++i)
+      REQUIRE(taken[i] == static_cast<float>(2 * (round + 1) * (i % 7)));
+  }
+}
+
 TEST_CASE("a selection holds the chosen indices in order") {
   Executor executor;
   Array<std::uint32_t> chosen;

@@ -161,7 +161,7 @@ TEST_CASE("samples go with their body; of two layers at one place one stays") {
   MovingBodies moving(s, map, boundary, meshes);
   Executor executor;
   moving.place(executor, 0, 0);
-  CHECK(moving.pressures().size() > walls);
+  CHECK(moving.sample_count() > walls);
   CHECK(near_wall() > wall);  // the plate's front and back
   moving.place(executor, 0.9, 1);
   bool found = false;
