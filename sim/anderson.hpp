@@ -20,12 +20,60 @@ struct AndersonPoint {
   float iterate, residual;
 };
 
-/// The two steps before, and what of them goes into the best combination with the present one.
+/// What of the two steps before goes into the best combination with the present one. It stays where
+/// the loops are, which look at it.
+struct AndersonWeights {
+  int known = 0;               ///< earlier steps in memory
+  int used = 0;                ///< of them in the combination
+  float last = 0, before = 0;  ///< θ₁ and θ₂
+  double squared = 0;          ///< |rₖ|²
+
+  /// Sums over all unknowns of the products of the residual r, how it has changed since the last
+  /// step, l, and how it had changed then, b.
+  struct Products {
+    double rr = 0, lr = 0, ll = 0, br = 0, bl = 0, bb = 0;
+    SPINDRIFT_HD static Products of(double r, double l, double b) {
+      return {r * r, l * r, l * l, b * r, b * l, b * b};
+    }
+    SPINDRIFT_HD void join(const Products& o) {
+      rr += o.rr;
+      lr += o.lr;
+      ll += o.ll;
+      br += o.br;
+      bl += o.bl;
+      bb += o.bb;
+    }
+  };
+
+  SPINDRIFT_HD void find(const Products& s) {
+    // A residual that grew has left the region where the steps told anything: start anew from here.
+    constexpr double growth = 1.5;
+    if (known > 0 && s.rr > growth * growth * squared)
+      known = 0;
+    squared = s.rr;
+    used = known;
+    known = std::min(known + 1, 2);
+    last = before = 0;
+    const double determinant = s.ll * s.bb - s.bl * s.bl;
+    if (used == 2 && determinant > 1e-6 * s.ll * s.bb) {
+      last = bounded((s.lr * s.bb - s.bl * s.br) / determinant);
+      before = bounded((s.ll * s.br - s.bl * s.lr) / determinant);
+    } else if (used >= 1 && s.ll > 0) {
+      last = bounded(s.lr / s.ll);
+    }
+  }
+
+ private:
+  SPINDRIFT_HD static float bounded(double w) {
+    return static_cast<float>(std::clamp(w, -10., 10.));
+  }
+};
+
+/// The two steps before, to be combined with the present one.
 struct AndersonView {
   const AndersonPoint* last;
   AndersonPoint* before;
-  int used;                          ///< earlier steps in the combination
-  float last_weight, before_weight;  ///< θ₁ and θ₂
+  Kept<AndersonWeights>::View weights;
 
   /// The best combination for unknown i, of which `now` is the present step.
   SPINDRIFT_HD AndersonPoint mixed(std::uint32_t i, const AndersonPoint& now) const {
@@ -40,33 +88,18 @@ struct AndersonView {
   SPINDRIFT_HD float mixed(std::uint32_t i, const AndersonPoint& now,
                            float AndersonPoint::*part) const {
     float value = now.*part;
-    if (used >= 1)
-      value -= last_weight * (now.*part - last[i].*part);
-    if (used >= 2)
-      value -= before_weight * (last[i].*part - before[i].*part);
+    if (weights->used >= 1)
+      value -= weights->last * (now.*part - last[i].*part);
+    if (weights->used >= 2)
+      value -= weights->before * (last[i].*part - before[i].*part);
     return value;
   }
 };
 
 class AndersonAcceleration {
  public:
-  struct Products {
-    double rr = 0, lr = 0, ll = 0, br = 0, bl = 0, bb = 0;
-    SPINDRIFT_HD static Products of(double r, double last, double before) {
-      return {r * r, last * r, last * last, before * r, before * last, before * before};
-    }
-    SPINDRIFT_HD void join(const Products& o) {
-      rr += o.rr;
-      lr += o.lr;
-      ll += o.ll;
-      br += o.br;
-      bl += o.bl;
-      bb += o.bb;
-    }
-  };
-
   /// Forgets all steps.
-  void start() { known_ = 0; }
+  void start() { knows_any_ = false; }
 
   /// Finds the best combination of the present step, now(i) for i in [0, count), with those before.
   template <class F>
@@ -74,14 +107,24 @@ class AndersonAcceleration {
     for (Array<AndersonPoint>* step : {&last_, &before_})
       resize_with_room(*step, count);
     const AndersonPoint *last_step = last_.data(), *step_before = before_.data();
-    const int known = known_;
-    weigh(executor.reduce<Products>("accelerate", count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const bool knows_any = knows_any_;
+    const auto so_far = weights_.view();
+    const auto products = [=] SPINDRIFT_HD(std::uint32_t i) {
+      const int known = knows_any ? so_far->known : 0;
       const float r = now(i).residual, r1 = last_step[i].residual;
       const float last = known >= 1 ? r - r1 : 0.f;
       const float before = known >= 2 ? r1 - step_before[i].residual : 0.f;
-      return Products::of(r, last, before);
-    }));
-    return {last_.data(), before_.data(), used_, last_weight_, before_weight_};
+      return AndersonWeights::Products::of(r, last, before);
+    };
+    const auto find = [=] SPINDRIFT_HD(AndersonWeights & weights,
+                                       const AndersonWeights::Products& sums) {
+      if (!knows_any)
+        weights = {};
+      weights.find(sums);
+    };
+    executor.reduce_to<AndersonWeights::Products>("accelerate", count, weights_, products, find);
+    knows_any_ = true;
+    return {last_.data(), before_.data(), weights_.view()};
   }
 
   /// After every unknown was kept.
@@ -92,33 +135,9 @@ class AndersonAcceleration {
   }
 
  private:
-  static constexpr std::size_t memory = 2;
-
-  void weigh(const Products& s) {
-    // A residual that grew has left the region where the steps told anything: start anew from here.
-    constexpr double growth = 1.5;
-    if (known_ > 0 && s.rr > growth * growth * squared_residual_)
-      known_ = 0;
-    squared_residual_ = s.rr;
-    used_ = known_;
-    known_ = std::min(known_ + 1, static_cast<int>(memory));
-    last_weight_ = before_weight_ = 0;
-    const double determinant = s.ll * s.bb - s.bl * s.bl;
-    if (used_ == 2 && determinant > 1e-6 * s.ll * s.bb) {
-      last_weight_ = weight((s.lr * s.bb - s.bl * s.br) / determinant);
-      before_weight_ = weight((s.ll * s.br - s.bl * s.lr) / determinant);
-    } else if (used_ >= 1 && s.ll > 0) {
-      last_weight_ = weight(s.lr / s.ll);
-    }
-  }
-
-  static float weight(double w) { return static_cast<float>(std::clamp(w, -10., 10.)); }
-
   Array<AndersonPoint> last_, before_;
-  int known_ = 0;                              ///< earlier steps in memory
-  int used_ = 0;                               ///< of them in the combination
-  float last_weight_ = 0, before_weight_ = 0;  ///< θ₁ and θ₂
-  double squared_residual_ = 0;                ///< |rₖ|²
+  Kept<AndersonWeights> weights_;
+  bool knows_any_ = false;  ///< earlier steps
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -186,13 +186,12 @@ void CoarsePressure::conjugate_gradients(Executor& executor) {
     p[c] = d[c] = 0;
     return Sum{double{r[c]} * r[c] * inverse[c]};
   };
-  const auto set_goal = [=] SPINDRIFT_HD(CoarseIteration & it, const Sum& squared) {
-    it = {squared.value, squared_tolerance * squared.value, 0, 0,
-          squared.value > squared_tolerance * squared.value};
+  const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+    it = ConjugateGradients::to(squared_tolerance, squared.value);
   };
   executor.reduce_to<Sum>(phase, count_, iteration_, begin, set_goal);
   for (int k = 0; k < most_iterations; ++k) {
-    if (k % Kept<CoarseIteration>::look_every == 0 && !iteration_.look().goes_on)
+    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration_.look().goes_on)
       return;
     const auto last = iteration_.view();
     executor.for_each(phase, count_, [=] SPINDRIFT_HD(std::uint32_t c) {
@@ -205,9 +204,8 @@ void CoarsePressure::conjugate_gradients(Executor& executor) {
       neighbours.apply(c, weights, d, image);
       return Sum{double{image[c]} * d[c]};
     };
-    const auto find_step = [=] SPINDRIFT_HD(CoarseIteration & it, const Sum& curvature) {
-      it.goes_on = it.goes_on && curvature.value > 0;
-      it.step = it.goes_on ? static_cast<float>(it.squared / curvature.value) : 0.f;
+    const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
+      it.find_step(curvature.value);
     };
     executor.reduce_to<Sum>(phase, count_, iteration_, apply, find_step);
     const auto now = iteration_.view();
@@ -218,12 +216,8 @@ void CoarsePressure::conjugate_gradients(Executor& executor) {
       r[c] -= now->step * image[c];
       return Sum{double{r[c]} * r[c] * inverse[c]};
     };
-    const auto find_beta = [=] SPINDRIFT_HD(CoarseIteration & it, const Sum& squared) {
-      if (!it.goes_on)
-        return;
-      it.beta = static_cast<float>(squared.value / it.squared);
-      it.squared = squared.value;
-      it.goes_on = it.squared > it.goal;
+    const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+      it.find_beta(squared.value);
     };
     executor.reduce_to<Sum>(phase, count_, iteration_, go, find_beta);
   }

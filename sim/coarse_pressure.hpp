@@ -14,6 +14,7 @@
 #include <array>
 
 #include "sim/backend.hpp"
+#include "sim/conjugate_gradients.hpp"
 #include "sim/solver.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
@@ -75,15 +76,6 @@ struct CoarseView {
   }
 };
 
-/// The numbers of conjugate gradients that hold from one iteration to the next.
-struct CoarseIteration {
-  double squared = 0;    ///< of the residual, in the preconditioner's norm
-  double goal = 0;       ///< of that
-  float beta = 0;        ///< part of the last direction in the next
-  float step = 0;        ///< along the direction
-  bool goes_on = false;  ///< the goal is not reached yet
-};
-
 class CoarsePressure {
  public:
   explicit CoarsePressure(const FluidConstants& constants);
@@ -133,7 +125,7 @@ class CoarsePressure {
   CellNeighbours neighbours_;
   Array<float> conductance_;  ///< slots per cell; in its own the operator's diagonal
   ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
-  Kept<CoarseIteration> iteration_;
+  Kept<ConjugateGradients> iteration_;
   Array<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
 };
 

@@ -21,8 +21,9 @@ class Kept {
   /// How many loops that change it the processor should begin before it looks at it again.
   static constexpr int look_every = 4;
 
+  using View = const T*;
   /// As loops look at it: like a pointer.
-  const T* view() const { return value_.data(); }
+  View view() const { return value_.data(); }
   /// As the processor does; waits.
   T look() const { return fetched(value_.data()); }
   T* place() { return value_.data(); }
