@@ -59,20 +59,25 @@ std::vector<double> rock(SolverType solver, float degrees, double multiple, int 
     run.solver.speed_of_sound = default_speed_of_sound(s);
   Simulation simulation(run);
   InvariantsWatch watch(run);
+  double most_gained = 0, beyond_work = 0;  // J
   std::vector<double> largest(static_cast<std::size_t>(periods), 0.);
   for (int k = 0; k <= looks * periods; ++k) {
     const FrameStatistics f = simulation.advance_to(k / (looks * frequency));
     const Frame frame = simulation.frame();
     watch.look(frame, f);
+    const double gained = f.kinetic_energy + f.potential_energy - watch.worst().energy_start;
+    most_gained = std::max(most_gained, gained);
+    beyond_work = std::max(beyond_work, gained - watch.worst().wall_work);
     double& here = largest[static_cast<std::size_t>(std::max(0, k - 1) / looks)];
     here = std::max(here, std::abs(sway(frame, *s.obstacles[0].motion)));
   }
   const Invariants& found = watch.worst();
-  CAPTURE(multiple, found.wall_work, found.rejected);
+  CAPTURE(multiple, found.wall_work, found.rejected, found.energy_start, most_gained);
   check(fmt::format("a closed tank rocked by {:g}° at {:g} of its lowest frequency, {} periods",
                     degrees, multiple, periods),
         run, found, {.compression_at_start = true});
   CHECK(found.wall_work > 0);
+  CHECK(beyond_work <= 0.1 * most_gained);
   return largest;
 }
 
