@@ -73,8 +73,8 @@ std::vector<double> rock(SolverType solver, float degrees, double multiple, int 
   }
   const Invariants& found = watch.worst();
   CAPTURE(multiple, found.wall_work, found.rejected, found.energy_start, most_gained);
-  check(fmt::format("a closed tank rocked by {:g}° at {:g} of its lowest frequency, {} periods",
-                    degrees, multiple, periods),
+  check(fmt::format("a tank rocked by {:g}° at {:g} of its resonance, {} periods", degrees,
+                    multiple, periods),
         run, found, {.compression_at_start = true});
   CHECK(found.wall_work > 0);
   CHECK(beyond_work <= 0.1 * most_gained);
