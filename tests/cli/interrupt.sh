@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Ctrl-C in the middle of a run leaves a video of the finished frames and says how to go on; the same
-# command then goes on from there and ends with the bytes of a run in one piece.
+# command then goes on from there and ends with the bytes of a run in one piece. So it does after a
+# run that was killed, in a scene whose particles come and go.
 # Usage: interrupt.sh PROGRAM. Returns 1 if a check fails.
 set -uo pipefail
 program=$1
@@ -12,15 +13,15 @@ cat >"$folder/scene.json" <<'JSON'
 {
   "fluid": {"spacing": 0.04, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.6, 0.8, 0.4]}}]},
   "domain": {"min": [0, 0, 0], "max": [1.6, 1, 0.4]},
-  "video": {"width": 160, "height": 96, "duration": 2}
+  "video": {"width": 160, "height": 96, "duration": 1}
 }
 JSON
 
 "$program" render "$folder/scene.json" -o "$folder/cut" >"$folder/out" 2>"$folder/err" </dev/null &
 pid=$!
-for _ in $(seq 200); do
+for _ in $(seq 1000); do
   [[ -e $folder/cut/frames/0003.png ]] && break
-  sleep 0.1
+  sleep 0.05
 done
 kill -INT $pid
 wait $pid
@@ -32,12 +33,48 @@ grep -q "The same command goes on" "$folder/err" || fail "it did not say how to 
 head -c 12 "$folder/cut/video.mp4" | grep -q ftyp || fail "the video is no MP4"
 grep -q '"complete": false' "$folder/cut/run.json" || fail "the report says it is complete"
 finished=$(find "$folder/cut/frames" -name '*.png' | wc -l)
-((finished >= 4 && finished < 60)) || fail "$finished frames were left; the run was not cut in its middle"
+((finished >= 4 && finished < 30)) || fail "$finished frames were left; the run was not cut in its middle"
 
 "$program" render "$folder/scene.json" -o "$folder/cut" --json >"$folder/report" 2>"$folder/err" </dev/null ||
   fail "going on returned $?"
-grep -q '"frames_simulated": 60' "$folder/report" && fail "it simulated everything again"
+grep -q '"frames_simulated": 30' "$folder/report" && fail "it simulated everything again"
 "$program" render "$folder/scene.json" -o "$folder/whole" --quiet 2>"$folder/err" </dev/null || fail "the whole run returned $?"
 cmp "$folder/cut/video.mp4" "$folder/whole/video.mp4" || fail "the videos differ"
-cmp "$folder/cut/frames/0059.png" "$folder/whole/frames/0059.png" || fail "the last frames differ"
+cmp "$folder/cut/frames/0029.png" "$folder/whole/frames/0029.png" || fail "the last frames differ"
+
+cat >"$folder/tap.json" <<'JSON'
+{
+  "fluid": {
+    "spacing": 0.04, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.8, 0.2, 0.4]}}],
+    "emitters": [{"disc": {"center": [0.2, 0.6, 0.2], "direction": [1, 0, 0], "radius": 0.1}, "speed": 2}]
+  },
+  "domain": {"min": [0, 0, 0], "max": [0.8, 0.8, 0.4]},
+  "sinks": [{"sphere": {"center": [0.8, 0, 0.2], "radius": 0.15}}],
+  "video": {"width": 96, "height": 64, "duration": 1}
+}
+JSON
+
+"$program" render "$folder/tap.json" -o "$folder/killed" >"$folder/out" 2>"$folder/err" </dev/null &
+pid=$!
+for _ in $(seq 3000); do
+  [[ -n $(find "$folder/killed/particles" -name 0005.particles 2>/dev/null) ]] && break
+  sleep 0.02
+done
+kill -KILL $pid
+{ wait $pid; } 2>/dev/null  # without the word of it
+code=$?
+((code == 137)) || fail "a run that was killed returned $code instead of 137"
+kept=$(find "$folder/killed/particles" -name '[0-9]*.particles' | wc -l)
+((kept >= 6 && kept < 30)) || fail "$kept frames were kept; the run was not killed in its middle"
+
+"$program" render "$folder/tap.json" -o "$folder/killed" --json >"$folder/report" 2>"$folder/err" </dev/null ||
+  fail "going on after a kill returned $?"
+grep -q "\"frames_simulated\": $((30 - kept))," "$folder/report" || fail "it did not go on from the $kept kept frames"
+"$program" render "$folder/tap.json" -o "$folder/alive" --quiet 2>"$folder/err" </dev/null || fail "the undisturbed run returned $?"
+for change in entered drained; do
+  (($(grep -c "\"$change\": [1-9]" "$folder/alive/run.json") > 10)) || fail "few frames in which particles $change"
+done
+for part in particles frames video.mp4; do
+  diff -r -x '.*' "$folder/alive/$part" "$folder/killed/$part" >"$folder/err" || fail "$part of the killed run differ"
+done
 exit 0

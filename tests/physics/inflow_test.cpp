@@ -48,7 +48,7 @@ void check_numbers(const Frame& frame) {
 
 }  // namespace
 
-TEST_CASE("an emitter brings its area times its speed, at rest density, for any step") {
+TEST_CASE("an emitter brings its area times its speed, at rest density, for any step", "[slow]") {
   const double step = GENERATE(0.005, 0.0013);
   const bool round = GENERATE(true, false);
   Emitter emitter{.speed = 1.5f, .from = 0.05f};

@@ -59,7 +59,7 @@ double behind(const Frame& frame, float x) {
 
 }  // namespace
 
-TEST_CASE("hard: a piston that strikes a block at 5 and at 20 m/s", "[hard]") {
+TEST_CASE("hard: a piston that strikes a block at 5 and at 20 m/s", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const float speed = GENERATE(5.f, 20.f);
   const Settings s = piston(solver, speed);
@@ -85,7 +85,7 @@ TEST_CASE("hard: a thin plate and a body of triangles that strike a block at 20 
   CHECK(behind(end.end, 1.2f) < 0.15 * d);  // a mesh's edges are rounded
 }
 
-TEST_CASE("hard: a mixer that spins twice a second", "[hard]") {
+TEST_CASE("hard: a mixer that spins twice a second", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Settings s = small_scene(solver);
   s.fluid.volumes = {{Box{{0, 0, 0}, {1, 0.4f, 1}}}};
@@ -118,7 +118,7 @@ Settings sloshing(SolverType solver, float amplitude) {
 
 }  // namespace
 
-TEST_CASE("hard: a tank that swings at its lowest frequency", "[hard]") {
+TEST_CASE("hard: a tank that swings at its lowest frequency", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = sloshing(solver, 0.04f);
   const Invariants end = watch(s, 1.2, 40);
@@ -127,7 +127,7 @@ TEST_CASE("hard: a tank that swings at its lowest frequency", "[hard]") {
   CHECK(end.wall_work > 0);
 }
 
-TEST_CASE("hard: a gate holds the water until it lifts", "[hard]") {
+TEST_CASE("hard: a gate holds the water until it lifts", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   Settings s = small_scene(solver);
   s.domain = {{0, 0, 0}, {1.6f, 1.4f, 0.3f}};

@@ -224,7 +224,8 @@ void settles_at(double angle) {
 
 }  // namespace
 
-TEST_CASE("a weightless cube of water becomes a ball, makes no energy and does not wander") {
+TEST_CASE("a weightless cube of water becomes a ball, makes no energy and does not wander",
+          "[slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   constexpr double d = 5e-4;
   Settings s = weightless(d, 30 * d);

@@ -78,7 +78,7 @@ TEST_CASE("liquid that slips along a duct's walls falls freely, however thick it
     CHECK(double{v.y} == Approx(-gravity * (0.1 - 0.5 * frame.last_time_step)).epsilon(1e-3));
 }
 
-TEST_CASE("the implicit step gives what many explicit ones give") {
+TEST_CASE("the implicit step gives what many explicit ones give", "[slow]") {
   // Shear decays in a block without walls near it; 2 ms are four times the longest explicit step.
   const auto decayed = [](float time_step) {
     Settings s;

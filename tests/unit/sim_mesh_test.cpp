@@ -166,7 +166,7 @@ TEST_CASE("the nearest point is that of all triangles, one by one") {
   }
 }
 
-TEST_CASE("samples of meshes lie half a spacing below the surface, evenly") {
+TEST_CASE("samples of meshes lie half a spacing below the surface, evenly", "[slow]") {
   const float inset = 0.5f * d;
   SECTION("a cube") {
     check_samples(box_mesh(glm::vec3(0), glm::vec3(1)),
