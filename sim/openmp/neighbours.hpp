@@ -22,7 +22,7 @@ constexpr float sentinel_position = 1e15f;
 struct NeighbourView {
   const std::uint32_t* place = nullptr;          ///< of each particle's list, in the chunks
   const std::uint32_t* const* chunks = nullptr;  ///< memory in pieces of `chunk_size` numbers
-  static constexpr int chunk_bits = 16;
+  static constexpr int chunk_bits = 14;
   static constexpr std::size_t chunk_size = std::size_t{1} << chunk_bits;
 
   /// The list of particle i: how many batches of eight places it has, then those places.
