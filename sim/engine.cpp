@@ -92,6 +92,7 @@ struct Run final : Engine {
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
           "emitter");
+    executor.check_room(initial.positions.size(), constants.spacing);
     set_particles(executor, particles, initial);
     max_speed = largest_speed(executor, particles);
     inflow.attach(walls);

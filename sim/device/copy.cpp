@@ -15,11 +15,8 @@ namespace {
 void* device_block(std::size_t bytes) {
   void* memory = nullptr;
   const cudaError_t error = cudaMalloc(&memory, bytes);
-  if (error == cudaErrorMemoryAllocation) {
-    std::size_t free = 0, all = 0;
-    check(cudaMemGetInfo(&free, &all));
-    too_little_memory(bytes, free);
-  }
+  if (error == cudaErrorMemoryAllocation)
+    too_little_memory(bytes, free_memory());
   check(error);
   return memory;
 }

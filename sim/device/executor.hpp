@@ -93,6 +93,11 @@ class Executor {
     return {std::move(room), n};
   }
 
+  /// @throws std::runtime_error where the device has no room for so many particles
+  void check_room(std::size_t particles, float spacing) const {
+    device::check_room(particles, spacing, free_memory());
+  }
+
   /// Until the processor may look at the particles.
   void wait() const { device::wait(); }
 

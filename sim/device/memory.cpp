@@ -1,7 +1,11 @@
 #include "sim/device/memory.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <limits>
 #include <new>
 
 #include "sim/device/errors.hpp"
@@ -9,11 +13,16 @@
 namespace spindrift::sim::inline device {
 #ifdef __CUDACC__
 
+std::size_t free_memory() {
+  std::size_t free = 0, all = 0;
+  check(cudaMemGetInfo(&free, &all));
+  return free;
+}
+
 /// Managed memory could be larger than the device's, and would then be moved to and fro in each
 /// step; so what does not fit is an error.
 void* allocate(std::size_t bytes) {
-  std::size_t free = 0, all = 0;
-  check(cudaMemGetInfo(&free, &all));
+  const std::size_t free = free_memory();
   if (bytes > free)
     too_little_memory(bytes, free);
   void* memory = nullptr;
@@ -53,6 +62,10 @@ namespace {
 constexpr std::align_val_t alignment{256};
 }
 
+std::size_t free_memory() {
+  return std::numeric_limits<std::size_t>::max();
+}
+
 void* allocate(std::size_t bytes) {
   try {
     return ::operator new(bytes, alignment);
@@ -79,6 +92,25 @@ void copy_in(void* to, const void* from, std::size_t bytes) {
 }
 
 #endif
+
+void check_room(std::size_t particles, float spacing, std::size_t free) {
+  const auto count = static_cast<double>(particles), room = static_cast<double>(free),
+             fitting = room / bytes_per_particle;
+  if (count <= fitting)
+    return;
+  // In the same volume; rounded up to three digits, with some room for how it is divided.
+  const double wanted = 1.01 * double{spacing} * std::cbrt(count / fitting),
+               digit = std::pow(10, std::floor(std::log10(wanted)) - 2);
+  std::array<char, 400> text;
+  std::snprintf(
+      text.data(), text.size(),
+      "the device has too little memory: %.0f particles need about %.0f MB, %.0f MB are "
+      "free, which is room for %.0f particles; use a fluid.spacing of %g m or more, or the "
+      "backend \"cpu\"",
+      count, count * bytes_per_particle / 1e6, room / 1e6, std::floor(fitting),
+      digit * std::ceil(wanted / digit));
+  throw std::runtime_error(text.data());
+}
 
 Scratch::~Scratch() {
   for (const Block& block : blocks_)

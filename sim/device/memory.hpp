@@ -12,6 +12,16 @@ namespace spindrift::sim::inline device {
 void* allocate(std::size_t bytes);
 void release(void* memory) noexcept;
 
+/// Bytes that are free; where the processor's cores are the device, more than there ever are.
+std::size_t free_memory();
+
+/// Of a particle of a large liquid: walls, lists and working memory included.
+constexpr double bytes_per_particle = 500;
+
+/// @param spacing of the particles, m @param free bytes
+/// @throws std::runtime_error where so many particles do not fit: how many would, how far apart
+void check_room(std::size_t particles, float spacing, std::size_t free);
+
 /// Waits until the device has done all that it was given. The processor may read and write then.
 /// @throws std::runtime_error when something went wrong there
 void wait();

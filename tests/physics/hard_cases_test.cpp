@@ -181,7 +181,8 @@ void sheet(SolverType solver) {
                              : Volume{Box{{0, 0.5f, 0}, {1, 0.5f + d, 1}}}};
   const Invariants end = watch(s, 1, 60);
   CHECK(end.end.positions.size() == (upright ? 320 : 400));
-  // Measured: 0.0081 of energy made; the aim is 0.005.
+  // Measured: 0.0077 of energy made, the jitter that the tolerance leaves; the aim is 0.005. With a
+  // tenth of the mean compression, 0.00015.
   check(upright ? "an upright sheet" : "a flat sheet", s, end, {.energy = 0.01});
 }
 

@@ -14,6 +14,17 @@ TEST_CASE("memory that the device does not have is an error that says how much i
                                                         Contains("fluid.spacing"));
 }
 
+TEST_CASE("a liquid that the device has no room for is an error that says what would fit") {
+  constexpr std::size_t room = 8'000'000'000;
+  const auto fitting = static_cast<std::size_t>(double{room} / bytes_per_particle);
+  CHECK_NOTHROW(check_room(fitting, 0.01f, room));
+  // Eight times as many: twice the spacing.
+  CHECK_THROWS_WITH(check_room(8 * fitting, 0.01f, room),
+                    Contains(std::to_string(8 * fitting) + " particles") && Contains("8000 MB") &&
+                        Contains("room for " + std::to_string(fitting)) &&
+                        Contains("fluid.spacing of 0.0202 m"));
+}
+
 TEST_CASE("working memory is given again") {
   Scratch scratch;
   char* const first = scratch.allocate(1000);

@@ -301,3 +301,18 @@ TEST_CASE("a run on the device that goes on from a frame ends where one in one p
   rest->advance_to(10 * double{step}, nullptr);
   CHECK(largest_distance(whole->frame(), rest->frame()) == 0);
 }
+
+TEST_CASE("a particle of a large liquid takes as much of the device's memory as is said") {
+  Settings s;
+  s.fluid.spacing = 0.02f;
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.8f, 0.6f, 0.6f}}}};
+  s.domain = {{0, 0, 0}, {1.2f, 0.8f, 0.6f}};
+  s.solver.max_time_step = 0.002f;
+  const auto engine = make_device_engine(s);
+  engine->advance_to(0.006, nullptr);
+  const double bytes =
+      static_cast<double>(engine->memory_bytes()) / static_cast<double>(engine->particle_count());
+  CAPTURE(bytes);
+  CHECK(bytes <= device::bytes_per_particle);
+  CHECK(bytes > 0.8 * device::bytes_per_particle);
+}
