@@ -61,10 +61,11 @@ for _ in $(seq 100); do
   sleep 0.1
 done
 [[ -n $port ]] || fail "chromedriver did not start"
+# A pipe, since a machine need not know localhost by its name.
 sandbox=
 ((EUID == 0)) && sandbox=', "--no-sandbox"'
 session=$(request POST /session '{"capabilities": {"alwaysMatch": {"goog:loggingPrefs": {"browser": "ALL"},
-  "goog:chromeOptions": {"args": ["--headless=new", "--disable-gpu", "--window-size=1200,900"'"$sandbox"']}}}}' |
+  "goog:chromeOptions": {"args": ["--headless=new", "--remote-debugging-pipe", "--disable-gpu", "--window-size=1200,900"'"$sandbox"']}}}}' |
   grep -o '"sessionId":"[^"]*"' | cut -d '"' -f 4)
 [[ -n $session ]] || fail "chromium did not start"
 request POST "/session/$session/url" "{\"url\": \"file://$folder/a%20sweep/report.html\"}" >/dev/null
