@@ -61,9 +61,9 @@ for _ in $(seq 100); do
   sleep 0.1
 done
 [[ -n $port ]] || fail "chromedriver did not start"
-# A pipe, since a machine need not know localhost by its name.
 sandbox=
 ((EUID == 0)) && sandbox=', "--no-sandbox"'
+# Driver and browser talk through a pipe: a fresh machine without /etc/hosts does not know localhost.
 session=$(request POST /session '{"capabilities": {"alwaysMatch": {"goog:loggingPrefs": {"browser": "ALL"},
   "goog:chromeOptions": {"args": ["--headless=new", "--remote-debugging-pipe", "--disable-gpu", "--window-size=1200,900"'"$sandbox"']}}}}' |
   grep -o '"sessionId":"[^"]*"' | cut -d '"' -f 4)
