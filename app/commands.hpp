@@ -3,30 +3,15 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "app/bench_runs.hpp"
 #include "app/comparison.hpp"
+#include "app/errors.hpp"
 #include "app/scene.hpp"
 #include "app/sweep_plan.hpp"
 
 namespace spindrift::app {
-
-/// What a command tells the shell.
-enum ExitCode {
-  done = 0,
-  check_failed = 1,
-  bad_usage = 2,  ///< or bad input
-  run_failed = 3,
-};
-
-/// Input that can't be used, other than a scene. The message is one sentence for people: the file,
-/// what was found and what is accepted.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Frame numbers from 0, both ends included.
 struct FrameRange {
