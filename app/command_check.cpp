@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 
 #include "app/commands.hpp"
+#include "app/error_report.hpp"
 #include "app/estimate.hpp"
+#include "app/frame_rate_text.hpp"
+#include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -22,6 +25,9 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   }
   const Estimate cost = estimate(scene, threads);
   const nlohmann::ordered_json resolved = to_json(scene);
+  const std::vector<std::string> warnings = scene_warnings(scene);
+  for (const std::string& warning : warnings)
+    tell_warning(warning);
   if (json) {
     const nlohmann::ordered_json report{{"scene", resolved},
                                         {"simulation_hash", simulation_hash(scene)},
@@ -30,7 +36,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
                                         {"frames", scene.video.frame_count()},
                                         {"memory_bytes_about", cost.bytes},
                                         {"seconds_about", cost.seconds},
-                                        {"threads", threads}};
+                                        {"threads", threads},
+                                        {"warnings", warnings}};
     fmt::print("{}\n", report.dump(2));
     return done;
   }
@@ -40,7 +47,7 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              cost.boundary_particles);
   fmt::print("pictures    {} of {}x{} pixels, {:g} s at {} per second\n", scene.video.frame_count(),
              scene.video.width, scene.video.height, scene.video.duration,
-             scene.video.frames_per_second);
+             rate_text(scene.video.frames_per_second));
   fmt::print("memory      about {:.0f} MB\n", cost.bytes / 1e6);
   fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
              threads == 1 ? "" : "s");

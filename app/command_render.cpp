@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/commands.hpp"
+#include "app/error_report.hpp"
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
 #include "render/output/atomic_file.hpp"
@@ -53,7 +54,7 @@ int run_render(const Scene& scene, const RenderOptions& options) {
   try {
     run_pipeline(scene, options, record);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "spindrift: {}\n", error.what());
+    tell_error(run_failed, error.what(), options.json);
     print_rest(options, record, "stopped");
     try {
       write_report(scene, options, record);
@@ -66,6 +67,8 @@ int run_render(const Scene& scene, const RenderOptions& options) {
   write_report(scene, options, record);
   if (record.interrupted) {
     print_rest(options, record, "interrupted");
+    if (options.json)
+      print_error_json(run_failed, "interrupted");
     return run_failed;
   }
   if (options.json)

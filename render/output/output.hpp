@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "render/frame_rate.hpp"
 #include "render/image.hpp"
 #include "render/mesh.hpp"
 
@@ -30,7 +31,7 @@ Image read_png(const std::filesystem::path& file);
 struct VideoSettings {
   int width = 1280;  ///< pixels, even
   int height = 720;  ///< pixels, even
-  int frames_per_second = 30;
+  FrameRate frames_per_second;
   int quality = 18;  ///< H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst
 };
 

@@ -75,9 +75,11 @@ const VideoSettings& validated(const VideoSettings& settings) {
     reject("width and height must be positive and even, not " + std::to_string(settings.width) +
            "x" + std::to_string(settings.height));
   }
-  if (settings.frames_per_second <= 0 || settings.frames_per_second > 1000) {
-    reject("frames per second must be 1 to 1000, not " +
-           std::to_string(settings.frames_per_second));
+  const auto& [pictures, seconds] = settings.frames_per_second;
+  if (seconds <= 0 || seconds > 1000000 || pictures < seconds || pictures > 1000 * seconds ||
+      pictures > 1000000) {
+    reject("frames per second must be 1 to 1000, not " + std::to_string(pictures) + "/" +
+           std::to_string(seconds));
   }
   if (settings.quality < 0 || settings.quality > 51) {
     reject("quality must be 0 to 51, not " + std::to_string(settings.quality));
@@ -97,9 +99,10 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   encoder->colorspace = AVCOL_SPC_BT709;
   encoder->color_range = AVCOL_RANGE_MPEG;
   encoder->chroma_sample_location = AVCHROMA_LOC_LEFT;
-  encoder->framerate = {settings.frames_per_second, 1};
-  encoder->time_base = {1, settings.frames_per_second};
-  encoder->gop_size = kSecondsBetweenKeyFrames * settings.frames_per_second;
+  const auto& [pictures, seconds] = settings.frames_per_second;
+  encoder->framerate = {pictures, seconds};
+  encoder->time_base = {seconds, pictures};
+  encoder->gop_size = settings.frames_per_second.count_in(kSecondsBetweenKeyFrames);
   encoder->thread_count = kThreads;
   // No version strings; the header once, in front, as MP4 wants it.
   encoder->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -212,7 +215,7 @@ void VideoWriter::Impl::open_muxer() {
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "+faststart", 0);
   // The default of milliseconds can't express most durations.
-  av_dict_set_int(&options, "movie_timescale", settings.frames_per_second * 1000, 0);
+  av_dict_set_int(&options, "movie_timescale", settings.frames_per_second.numerator * 1000, 0);
   const int result = avformat_write_header(muxer.get(), &options);
   av_dict_free(&options);
   check(result, "MP4 header");

@@ -128,7 +128,7 @@ void write_waves(const std::filesystem::path& file, const output::VideoSettings&
                  int frames) {
   output::VideoWriter writer(file, settings);
   for (int i = 0; i < frames; ++i) {
-    writer.add(waves(settings.width, settings.height, double(i) / settings.frames_per_second));
+    writer.add(waves(settings.width, settings.height, settings.frames_per_second.time_of(i)));
   }
   writer.finish();
 }
@@ -153,21 +153,22 @@ std::vector<std::string> boxes(const std::filesystem::path& file) {
 
 TEST_CASE("A video has all its frames at a constant rate and lasts exactly frames / rate") {
   const TemporaryFolder folder;
-  for (const int rate : {24, 30, 60}) {
+  for (const FrameRate rate : {FrameRate{24, 1}, FrameRate{30, 1}, FrameRate{60, 1},
+                               FrameRate{30000, 1001}, FrameRate{25, 2}}) {
     for (const int frames : {1, 2, 47}) {
-      CAPTURE(rate, frames);
+      CAPTURE(rate.numerator, rate.denominator, frames);
       output::VideoSettings settings = small_video();
       settings.frames_per_second = rate;
       write_waves(folder / "v.mp4", settings, frames);
       const Video video = read_video(folder / "v.mp4");
       REQUIRE(video.indexed_frames == frames);
       REQUIRE(video.frames.size() == std::size_t(frames));
-      REQUIRE(av_cmp_q(video.average_rate, {rate, 1}) == 0);
-      REQUIRE(video.duration * video.time_base.num * rate ==
-              std::int64_t(frames) * video.time_base.den);
-      REQUIRE(std::abs(double(video.file_duration) - 1e6 * frames / rate) <= 1.0);
+      REQUIRE(av_cmp_q(video.average_rate, {rate.numerator, rate.denominator}) == 0);
+      REQUIRE(video.duration * video.time_base.num * rate.numerator ==
+              std::int64_t(frames) * rate.denominator * video.time_base.den);
+      REQUIRE(std::abs(double(video.file_duration) - 1e6 * rate.time_of(frames)) <= 1.0);
       for (int i = 0; i < frames; ++i) {
-        REQUIRE(std::abs(video.times[std::size_t(i)] - double(i) / rate) < 1e-9);
+        REQUIRE(std::abs(video.times[std::size_t(i)] - rate.time_of(i)) < 1e-9);
       }
     }
   }
