@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
+#include "app/scene_meshes.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -30,7 +31,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
                                         {"frames", scene.video.frame_count()},
                                         {"memory_bytes_about", cost.bytes},
                                         {"seconds_about", cost.seconds},
-                                        {"threads", threads}};
+                                        {"threads", threads},
+                                        {"notes", mesh_notes(scene)}};
     fmt::print("{}\n", report.dump(2));
     return done;
   }
@@ -44,6 +46,9 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   fmt::print("memory      about {:.0f} MB\n", cost.bytes / 1e6);
   fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
              threads == 1 ? "" : "s");
+  for (const std::string& note : mesh_notes(scene)) {
+    fmt::print("note        {}\n", note);
+  }
   return done;
 }
 
