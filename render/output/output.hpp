@@ -23,6 +23,9 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// The bytes of such a PNG. @throws std::invalid_argument as write_png
 std::vector<std::byte> encode_png(const Image& image);
 
+/// Pictures of more pixels are not read: twice those of the largest picture that is drawn.
+inline constexpr std::size_t most_pixels = std::size_t{2} * 8192 * 8192;
+
 /// Reads a PNG as 8-bit RGB (grey is spread to three channels, alpha dropped). @throws
 /// std::runtime_error naming the file and the reason.
 Image read_png(const std::filesystem::path& file);
@@ -59,7 +62,8 @@ class VideoWriter {
 };
 
 /// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
-/// format that libav knows is a video of one picture.)
+/// format that libav knows is a video of one picture.) No other file is opened, whatever the video
+/// names.
 class VideoReader {
  public:
   /// @throws std::runtime_error naming the file and the reason

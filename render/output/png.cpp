@@ -5,20 +5,19 @@
 
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
-#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/output/atomic_file.hpp"
+#include "render/output/input_file.hpp"
 #include "render/output/output.hpp"
 
 namespace {
@@ -103,21 +102,49 @@ Bytes encode(const Image& image) {
   return png;
 }
 
-Bytes read_file(const std::filesystem::path& file) {
-  errno = 0;
-  Bytes bytes;
-  std::ifstream input(file, std::ios::binary);
-  std::array<char, 65536> piece{};
-  while (input) {
-    input.read(piece.data(), piece.size());
-    const auto read = std::as_bytes(std::span(piece).first(std::size_t(input.gcount())));
-    bytes.insert(bytes.end(), read.begin(), read.end());
+/// A big-endian number of four bytes, as PNG has them.
+std::uint32_t number_at(std::string_view png, std::size_t place) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    number = number << 8 | static_cast<unsigned char>(png[place + i]);
   }
-  if (!input.eof()) {
-    throw std::runtime_error("cannot read " + file.string() + ": " +
-                             (errno != 0 ? std::strerror(errno) : "read error"));
+  return number;
+}
+
+/// Whether the file ends before the last of its chunks (IEND) does. Each is a length, a type, so
+/// many bytes, and a checksum.
+bool is_cut_short(std::string_view png) {
+  std::size_t place = 8;  // behind the signature
+  while (place + 12 <= png.size()) {
+    if (png.substr(place + 4, 4) == "IEND") {
+      return false;
+    }
+    place += 12 + std::size_t{number_at(png, place)};
   }
-  return bytes;
+  return true;
+}
+
+/// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
+/// hold, and chunks longer than the file. @return the reason; empty: none
+std::string why_refused(std::string_view png) {
+  constexpr std::size_t kWidth = 16, kHeight = 20, kDepth = 24, kColours = 25;  // places in IHDR
+  constexpr std::array<std::uint64_t, 7> kChannels = {1, 0, 3, 1, 2, 0, 4};     // by colour type
+  constexpr std::uint64_t kMostPerByte = 1032;  // that deflate makes out of one
+  if (png.size() < kBytesBeforeColourTag || png.substr(12, 4) != "IHDR") {
+    return "it does not begin as a PNG does";
+  }
+  const std::uint64_t width = number_at(png, kWidth), height = number_at(png, kHeight);
+  if (width == 0 || height == 0 || width > most_pixels || height > most_pixels ||
+      width * height > most_pixels) {
+    return std::to_string(width) + "x" + std::to_string(height) + " pixels; accepted: 1 to " +
+           std::to_string(most_pixels) + " in all";
+  }
+  const auto colours = static_cast<unsigned char>(png[kColours]);
+  const std::uint64_t bits = static_cast<unsigned char>(png[kDepth]) *
+                             (colours < kChannels.size() ? kChannels[colours] : 0);
+  return is_cut_short(png) || width * height * bits / 8 > kMostPerByte * png.size()
+             ? "damaged or cut short"
+             : "";
 }
 
 }  // namespace
@@ -144,12 +171,15 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 }
 
 Image read_png(const std::filesystem::path& file) {
-  const Bytes png = read_file(file);
-  const auto fail = [&](const char* reason) {
+  const std::string png = read_file(file);
+  const auto fail = [&](const std::string& reason) {
     throw std::runtime_error("cannot read " + file.string() + ": " + reason);
   };
   if (png.size() > std::numeric_limits<int>::max()) {
     fail("file too large");
+  }
+  if (const std::string reason = why_refused(png); !reason.empty()) {
+    fail(reason);
   }
   int width = 0;
   int height = 0;
@@ -159,7 +189,8 @@ Image read_png(const std::filesystem::path& file) {
                             static_cast<int>(png.size()), &width, &height, &channels, 3),
       &stbi_image_free);
   if (!pixels) {
-    fail((std::string("damaged, cut short or no picture (") + stbi_failure_reason() + ")").c_str());
+    const char* reason = stbi_failure_reason();  // not given for every failure
+    fail("damaged, cut short or no picture" + (reason ? " (" + std::string(reason) + ")" : ""));
   }
   Image image(width, height);
   std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size());
