@@ -15,6 +15,7 @@ extern "C" {
 #include "render/output/atomic_file.hpp"
 #include "render/output/libav.hpp"
 #include "render/output/output.hpp"
+#include "render/shortage.hpp"
 
 namespace spindrift::output {
 namespace {
@@ -33,7 +34,7 @@ constexpr int kSecondsBetweenKeyFrames = 2;  // how far a player has to decode a
 void libav_check(int result, const std::filesystem::path& file, const char* doing) {
   if (result < 0) {
     throw std::runtime_error("cannot write " + file.string() + ": " + doing + ": " +
-                             reason(result));
+                             shortage().value_or(reason(result)));
   }
 }
 
