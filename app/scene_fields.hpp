@@ -370,7 +370,9 @@ inline constexpr auto table<VideoConfig> = std::tuple{
           "pictures per second of the liquid's time", Range{1, 1000}, "1/s"},
     Field{"duration", &VideoConfig::duration, "length of the video", Range{1e-3, 1e5}, "s"},
     Field{"quality", &VideoConfig::quality,
-          "H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst", Range{0, 51}}};
+          "H.264 constant rate factor: 0 is best, 18 looks lossless, 51 is worst; none is "
+          "lossless, but the pictures in frames/ are",
+          Range{0, 51}}};
 
 template <>
 inline constexpr auto table<Scene> = std::tuple{
