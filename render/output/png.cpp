@@ -111,17 +111,14 @@ std::uint32_t number_at(std::string_view png, std::size_t place) {
   return number;
 }
 
-/// Whether the file ends before the last of its chunks (IEND) does. Each is a length, a type, so
-/// many bytes, and a checksum.
-bool is_cut_short(std::string_view png) {
-  std::size_t place = 8;  // behind the signature
-  while (place + 12 <= png.size()) {
-    if (png.substr(place + 4, 4) == "IEND") {
-      return false;
+/// Chunks are a length (4 bytes), a type (4), data and a checksum (4), after a signature of 8.
+bool has_chunk(std::string_view png, std::string_view type) {
+  for (std::size_t at = 8; at + 12 <= png.size(); at += 12 + std::size_t{number_at(png, at)}) {
+    if (png.substr(at + 4, 4) == type) {
+      return true;
     }
-    place += 12 + std::size_t{number_at(png, place)};
   }
-  return true;
+  return false;
 }
 
 /// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
@@ -142,9 +139,20 @@ std::string why_refused(std::string_view png) {
   const auto colours = static_cast<unsigned char>(png[kColours]);
   const std::uint64_t bits = static_cast<unsigned char>(png[kDepth]) *
                              (colours < kChannels.size() ? kChannels[colours] : 0);
-  return is_cut_short(png) || width * height * bits / 8 > kMostPerByte * png.size()
+  // Without its last chunk, it ends within another, whose length is too large.
+  return !has_chunk(png, "IEND") || width * height * bits / 8 > kMostPerByte * png.size()
              ? "damaged or cut short"
              : "";
+}
+
+struct FreePixels {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+template <class Sample>
+using Pixels = std::unique_ptr<Sample, FreePixels>;
+
+std::size_t samples(const Image& image, int channels) {
+  return std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels);
 }
 
 }  // namespace
@@ -181,19 +189,47 @@ Image read_png(const std::filesystem::path& file) {
   if (const std::string reason = why_refused(png); !reason.empty()) {
     fail(reason);
   }
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
-                            static_cast<int>(png.size()), &width, &height, &channels, 3),
-      &stbi_image_free);
-  if (!pixels) {
-    const char* reason = stbi_failure_reason();  // not given for every failure
-    fail("damaged, cut short or no picture" + (reason ? " (" + std::string(reason) + ")" : ""));
+  const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
+  const int length = static_cast<int>(png.size());
+  if (has_chunk(png, "acTL")) {
+    fail("it is animated; accepted: still pictures");
   }
-  Image image(width, height);
-  std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size());
+  Image image;
+  int channels = 0;
+  const auto require = [&](const void* pixels) {
+    if (pixels == nullptr) {
+      const char* reason = stbi_failure_reason();
+      fail("damaged, cut short or no picture (" + std::string(reason ? reason : "no reason given") +
+           ")");
+    }
+  };
+  const bool plain = stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) &&
+                     channels % 2 == 1 && !has_chunk(png, "tRNS") &&
+                     !stbi_is_16_bit_from_memory(bytes, length);
+  if (plain) {
+    const Pixels<stbi_uc> pixels(
+        stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 3));
+    require(pixels.get());
+    image.pixels.assign(pixels.get(), pixels.get() + samples(image, 3));
+    return image;
+  }
+  const Pixels<stbi_us> pixels(
+      stbi_load_16_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
+  require(pixels.get());
+  image.pixels.reserve(samples(image, 3));
+  for (std::size_t i = 0; i < samples(image, 4); ++i) {
+    const stbi_us sample = pixels.get()[i];
+    if (i % 4 == 3) {
+      if (sample != 0xffff) {
+        fail("it is transparent in places; accepted: opaque pictures");
+      }
+      continue;
+    }
+    if (sample % 0x101 != 0) {  // an 8-bit value v is v * 0x101 in 16 bits
+      fail("it has 16-bit samples that 8 bits cannot hold; accepted: 8 bits a sample");
+    }
+    image.pixels.push_back(static_cast<std::uint8_t>(sample >> 8));
+  }
   return image;
 }
 
