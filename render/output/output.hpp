@@ -58,6 +58,9 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Pictures in a video, as its index says; 0: it can't be read.
+int video_length(const std::filesystem::path& file);
+
 /// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
 /// format that libav knows is a video of one picture.)
 class VideoReader {
