@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
+#include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -22,7 +23,12 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   }
   const Estimate cost = estimate(scene, threads);
   const nlohmann::ordered_json resolved = to_json(scene);
+  const std::vector<Complaint> warnings = warnings_of(scene);
   if (json) {
+    nlohmann::ordered_json told = nlohmann::ordered_json::array();
+    for (const Complaint& warning : warnings) {
+      told.push_back({{"path", warning.path}, {"message", warning.message}});
+    }
     const nlohmann::ordered_json report{{"scene", resolved},
                                         {"simulation_hash", simulation_hash(scene)},
                                         {"particles", cost.particles},
@@ -30,7 +36,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
                                         {"frames", scene.video.frame_count()},
                                         {"memory_bytes_about", cost.bytes},
                                         {"seconds_about", cost.seconds},
-                                        {"threads", threads}};
+                                        {"threads", threads},
+                                        {"warnings", told}};
     fmt::print("{}\n", report.dump(2));
     return done;
   }
@@ -44,6 +51,9 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   fmt::print("memory      about {:.0f} MB\n", cost.bytes / 1e6);
   fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
              threads == 1 ? "" : "s");
+  for (const Complaint& warning : warnings) {
+    fmt::print("warning     {}: {}\n", warning.path, warning.message);
+  }
   return done;
 }
 

@@ -16,6 +16,7 @@
 #include "output_support.hpp"
 #include "render/output/output.hpp"
 #include "sim/shapes.hpp"
+#include "sim/shapes/measures.hpp"
 
 using namespace spindrift;
 using namespace spindrift::app;
@@ -310,8 +311,8 @@ TEST_CASE("a mesh fills with liquid like the shape that it stands for") {
   CHECK(static_cast<double>(mesh.particles) ==
         Approx(static_cast<double>(sphere.particles)).epsilon(0.04));
   const sim::Shape ball = solid(ball_mesh({1, 1, 1}, 0.4f, 4), 0.05f);
-  CHECK(shape_volume(ball) == Approx(shape_volume(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
-  CHECK(shape_area(ball) == Approx(shape_area(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
+  CHECK(sim::volume_of(ball) == Approx(sim::volume_of(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
+  CHECK(sim::area_of(ball) == Approx(sim::area_of(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
 }
 
 TEST_CASE("a drawn mesh is smooth where it is round and sharp at its edges") {
