@@ -120,6 +120,31 @@ Bytes read_file(const std::filesystem::path& file) {
   return bytes;
 }
 
+struct FreePixels {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+template <class Sample>
+using Pixels = std::unique_ptr<Sample, FreePixels>;
+
+std::size_t samples(const Image& image, int channels) {
+  return std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels);
+}
+
+/// Chunks are a length (4 bytes), a type (4), data and a checksum (4), after a signature of 8.
+bool has_chunk(std::span<const std::byte> png, const char* type) {
+  for (std::size_t at = 8; png.size() >= 12 && at <= png.size() - 12;) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length = length << 8 | std::to_integer<std::size_t>(png[at + i]);
+    }
+    if (std::memcmp(&png[at + 4], type, 4) == 0) {
+      return true;
+    }
+    at += 12 + length;
+  }
+  return false;
+}
+
 }  // namespace
 
 Bytes encode_png(const Image& image) {
@@ -145,24 +170,53 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 
 Image read_png(const std::filesystem::path& file) {
   const Bytes png = read_file(file);
-  const auto fail = [&](const char* reason) {
+  const auto fail = [&](const std::string& reason) {
     throw std::runtime_error("cannot read " + file.string() + ": " + reason);
   };
   if (png.size() > std::numeric_limits<int>::max()) {
     fail("file too large");
   }
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
-                            static_cast<int>(png.size()), &width, &height, &channels, 3),
-      &stbi_image_free);
-  if (!pixels) {
-    fail((std::string("damaged, cut short or no picture (") + stbi_failure_reason() + ")").c_str());
+  const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
+  const int length = static_cast<int>(png.size());
+  if (has_chunk(png, "acTL")) {
+    fail("it is animated; accepted: still pictures");
   }
-  Image image(width, height);
-  std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size());
+  Image image;
+  int channels = 0;
+  const auto require = [&](const void* pixels) {
+    if (pixels == nullptr) {
+      const char* reason = stbi_failure_reason();
+      fail("damaged, cut short or no picture (" + std::string(reason ? reason : "no reason given") +
+           ")");
+    }
+  };
+  const bool plain = stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) &&
+                     channels % 2 == 1 && !has_chunk(png, "tRNS") &&
+                     !stbi_is_16_bit_from_memory(bytes, length);
+  if (plain) {
+    const Pixels<stbi_uc> pixels(
+        stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 3));
+    require(pixels.get());
+    image.pixels.assign(pixels.get(), pixels.get() + samples(image, 3));
+    return image;
+  }
+  const Pixels<stbi_us> pixels(
+      stbi_load_16_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
+  require(pixels.get());
+  image.pixels.reserve(samples(image, 3));
+  for (std::size_t i = 0; i < samples(image, 4); ++i) {
+    const stbi_us sample = pixels.get()[i];
+    if (i % 4 == 3) {
+      if (sample != 0xffff) {
+        fail("it is transparent in places; accepted: opaque pictures");
+      }
+      continue;
+    }
+    if (sample % 0x101 != 0) {  // an 8-bit value v is v * 0x101 in 16 bits
+      fail("it has 16-bit samples that 8 bits cannot hold; accepted: 8 bits a sample");
+    }
+    image.pixels.push_back(static_cast<std::uint8_t>(sample >> 8));
+  }
   return image;
 }
 

@@ -1,8 +1,14 @@
 // Videos to pictures through libav: libavformat reads the file, libavcodec decompresses, libswscale
 // turns what comes out into RGB.
 
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "render/output/libav.hpp"
@@ -28,9 +34,13 @@ struct VideoReader::Impl {
     open_decoder();
   }
 
+  [[noreturn]] void fail(const std::string& why) const {
+    throw std::runtime_error("cannot read " + file.string() + " as a video: " + why);
+  }
+
   int check(int result) const {
     if (result < 0)
-      throw std::runtime_error("cannot read " + file.string() + " as a video: " + reason(result));
+      fail(reason(result));
     return result;
   }
 
@@ -89,30 +99,48 @@ struct VideoReader::Impl {
   }
 
   Image to_rgb(const AVFrame& frame) {
+    const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(AVPixelFormat(frame.format));
+    if (format == nullptr)
+      fail("unknown pixel format");
+    if (std::any_of(format->comp, format->comp + format->nb_components,
+                    [](const AVComponentDescriptor& samples) { return samples.depth > 8; }))
+      fail("it has more than 8 bits a sample; accepted: 8 bits");
+    const bool alpha = (format->flags & AV_PIX_FMT_FLAG_ALPHA) != 0;
+    const Owned<AVFrame> converted = convert(frame, alpha ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24);
+    Image image(frame.width, frame.height);
+    const int samples = alpha ? 4 : 3;
+    std::size_t at = 0;
+    for (int y = 0; y < image.height; ++y) {
+      const std::uint8_t* pixel = converted->data[0] + y * converted->linesize[0];
+      for (int x = 0; x < image.width; ++x, pixel += samples, at += 3) {
+        if (alpha && pixel[3] != 255)
+          fail("it is transparent in places; accepted: opaque pictures");
+        std::memcpy(&image.pixels[at], pixel, 3);
+      }
+    }
+    return image;
+  }
+
+  Owned<AVFrame> convert(const AVFrame& frame, AVPixelFormat format) {
     constexpr int flags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT;
     converter.reset(sws_getCachedContext(converter.release(), frame.width, frame.height,
                                          AVPixelFormat(frame.format), frame.width, frame.height,
-                                         AV_PIX_FMT_RGB24, flags, nullptr, nullptr, nullptr));
+                                         format, flags, nullptr, nullptr, nullptr));
     if (!converter)
-      throw std::runtime_error("cannot read " + file.string() +
-                               " as a video: unknown pixel format");
+      fail("its pixels can't be converted");
     constexpr int full = 1, one = 1 << 16;  // contrast and saturation, as fixed point
     sws_setColorspaceDetails(converter.get(), sws_getCoefficients(color_space_of(frame)),
                              frame.color_range == AVCOL_RANGE_JPEG,
                              sws_getCoefficients(SWS_CS_ITU709), full, 0, one, one);
     // Rows with room behind them, which libswscale may write into.
-    const Owned<AVFrame> rgb = owned(av_frame_alloc());
-    rgb->format = AV_PIX_FMT_RGB24;
-    rgb->width = frame.width;
-    rgb->height = frame.height;
-    check(av_frame_get_buffer(rgb.get(), 0));
-    sws_scale(converter.get(), frame.data, frame.linesize, 0, frame.height, rgb->data,
-              rgb->linesize);
-    Image image(frame.width, frame.height);
-    const auto row = static_cast<std::size_t>(3 * image.width);
-    for (int y = 0; y < image.height; ++y)
-      std::memcpy(&image.pixels[row * y], rgb->data[0] + y * rgb->linesize[0], row);
-    return image;
+    Owned<AVFrame> converted = owned(av_frame_alloc());
+    converted->format = format;
+    converted->width = frame.width;
+    converted->height = frame.height;
+    check(av_frame_get_buffer(converted.get(), 0));
+    sws_scale(converter.get(), frame.data, frame.linesize, 0, frame.height, converted->data,
+              converted->linesize);
+    return converted;
   }
 
   std::filesystem::path file;

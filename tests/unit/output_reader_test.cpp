@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "output_support.hpp"
+#include "png_support.hpp"
 #include "render/output/output.hpp"
 
 using namespace spindrift;
@@ -43,6 +44,19 @@ TEST_CASE("a video is read picture by picture, in order and in its colours") {
   }
   CHECK_FALSE(reader.next());
   CHECK_FALSE(reader.next());
+}
+
+TEST_CASE("pictures that 8-bit RGB cannot hold are refused, and taken where they are opaque") {
+  const TemporaryFolder folder;
+  const auto picture = [&](PngColour colour, int depth, const std::string& samples) {
+    std::ofstream(folder / "a.png", std::ios::binary) << one_row_png(colour, depth, 1, samples);
+    return VideoReader(folder / "a.png").next();
+  };
+  const auto opaque = picture(PngColour::rgb_alpha, 8, "\1\2\3\xff");
+  REQUIRE(opaque);
+  CHECK(opaque->pixels == std::vector<std::uint8_t>{1, 2, 3});
+  CHECK_THROWS_WITH(picture(PngColour::rgb_alpha, 8, "\1\2\3\xfe"), Contains("transparent"));
+  CHECK_THROWS_WITH(picture(PngColour::rgb, 16, "\1\1\2\3\4\4"), Contains("8 bits"));
 }
 
 TEST_CASE("what is not a video is refused by name") {
