@@ -14,6 +14,8 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // which clang 14 does not find by itself
 
 /// How many steps of a lattice stretched to end exactly at both corners of a box.
 glm::ivec3 steps_across(glm::vec3 size, float d) {
