@@ -10,9 +10,9 @@
 namespace spindrift::sim {
 namespace {
 
-constexpr int sweeps = 60;
-constexpr float rate = 0.5f;         ///< of d⁴ Σ ∇W, in spacings d
-constexpr float longest_way = 0.1f;  ///< in one sweep, spacings
+constexpr int packing_sweeps = 60;
+constexpr float packing_rate = 0.5f;         ///< of d⁴ Σ ∇W, in spacings d
+constexpr float longest_packing_way = 0.1f;  ///< in one sweep, spacings
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void pack(std::vector<glm::vec3>& positions, const std::vector<PackedParticle>& 
   const PointCells cells(positions, radius + spacing), wall_cells(walls, radius + spacing);
   const auto count = static_cast<std::int64_t>(moves.size());
   std::vector<glm::vec3> next(moves.size());
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
+  for (int sweep = 0; sweep < packing_sweeps; ++sweep) {
     throw_if_stopped(stop);
 #pragma omp parallel for schedule(dynamic, 256)
     for (std::int64_t m = 0; m < count; ++m) {
@@ -42,8 +42,8 @@ void pack(std::vector<glm::vec3>& positions, const std::vector<PackedParticle>& 
           add(positions[j]);
       });
       wall_cells.for_near(p, [&](std::uint32_t j) { add(walls[j]); });
-      glm::vec3 way = -rate * std::pow(spacing, 4.f) * axes * sum;  // spacings
-      way *= std::min(1.f, longest_way / std::max(glm::length(way), 1e-9f));
+      glm::vec3 way = -packing_rate * std::pow(spacing, 4.f) * axes * sum;  // spacings
+      way *= std::min(1.f, longest_packing_way / std::max(glm::length(way), 1e-9f));
       next[static_cast<std::size_t>(m)] = bodies.push_out(p + spacing * way);
     }
     for (std::size_t m = 0; m < moves.size(); ++m)
