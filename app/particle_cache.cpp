@@ -14,7 +14,7 @@ namespace spindrift::app {
 namespace {
 
 /// Changes whenever the layout of the file does.
-constexpr std::array<char, 8> magic = {'S', 'P', 'N', 'D', 'F', 'R', 'M', '4'};
+constexpr std::array<char, 8> magic = {'S', 'P', 'N', 'D', 'F', 'R', 'M', '5'};
 
 struct Header {
   std::array<char, 8> magic;
@@ -22,6 +22,7 @@ struct Header {
   std::uint64_t boundary_samples;
   double time;
   double last_time_step;
+  double allowed_time_step;
   sim::FrameStatistics statistics;
 };
 static_assert(std::is_trivially_copyable_v<Header>);
@@ -64,6 +65,7 @@ KeptFrame ParticleCache::read(int number) const {
   sim::Frame& frame = kept.frame;
   frame.time = header.time;
   frame.last_time_step = header.last_time_step;
+  frame.allowed_time_step = header.allowed_time_step;
   const std::uintmax_t size = std::filesystem::file_size(name);
   const std::uint64_t per_particle = 2 * sizeof(glm::vec3) + 4 * sizeof(float);
   if (header.particles > size || header.boundary_samples > size ||
@@ -105,8 +107,9 @@ void ParticleCache::write(int number, const KeptFrame& kept) const {
   std::filesystem::create_directories(folder_);
   output::AtomicFile out(file(number));
   const sim::Frame& frame = kept.frame;
-  const Header header{magic,      frame.positions.size(), frame.boundary_pressures.size(),
-                      frame.time, frame.last_time_step,   kept.statistics};
+  const Header header{magic,          frame.positions.size(), frame.boundary_pressures.size(),
+                      frame.time,     frame.last_time_step,   frame.allowed_time_step,
+                      kept.statistics};
   out.write(std::as_bytes(std::span(&header, 1)));
   for_each_array(frame, [&](const auto& array) { out.write(std::as_bytes(std::span(array))); });
   out.commit();

@@ -358,7 +358,7 @@ struct Run final : Engine {
     executor.wait();
     walls.set_pressures(start.boundary_pressures);
     time = start.time;
-    time_step.set_last(start.last_time_step);
+    time_step.resume(start.last_time_step, start.allowed_time_step);
     inflow.resume(executor, walls, start.time);
     measure_start();
   }
@@ -366,8 +366,8 @@ struct Run final : Engine {
   std::future<Frame> take_frame() override {
     auto copies = copy_particles(executor, particles, constants.rest_density);
     auto wall_pressures = walls.pressures(executor);
-    const auto put_together = [end = time, last = time_step.last()](auto of_particles,
-                                                                    auto of_walls) {
+    const auto put_together = [end = time, last = time_step.last(), allowed = time_step.allowed()](
+                                  auto of_particles, auto of_walls) {
       Frame frame;
       frame.time = end;
       frame.last_time_step = last;
@@ -380,6 +380,7 @@ struct Run final : Engine {
   }
 
   std::size_t particle_count() const override { return particles.count; }
+      frame.allowed_time_step = allowed;
   std::size_t boundary_particle_count() const override { return walls.boundary().count(); }
   const PhaseClock& clock() const override { return executor.clock(); }
 
