@@ -314,7 +314,18 @@ struct Run final : Engine {
 
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) override {
     FrameStatistics statistics;
+    executor.set_stop(stop);
     if (time_step.last() == 0) {
+    try {
+      advance_to(end, statistics);
+    } catch (const Stopped&) {
+      // Whoever asked for that knows.
+    }
+    executor.set_stop(nullptr);
+    return statistics;
+  }
+
+  void advance_to(double end, FrameStatistics& statistics) {
       settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
              walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
@@ -327,8 +338,6 @@ struct Run final : Engine {
       summed_time = 0;
     }
     while (end - time > tiny(end)) {
-      if (stop != nullptr && *stop)
-        return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
       const double goal = inflow.next_begin(time, end);
       const double wanted =
@@ -347,7 +356,6 @@ struct Run final : Engine {
     measure(statistics);
     note_leftover(particles.drifted_position);
     statistics.exchange = std::exchange(exchange, {});
-    return statistics;
   }
 
   void go_on_from(const Frame& start) {
