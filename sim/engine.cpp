@@ -214,7 +214,7 @@ struct Run final : Engine {
         executor.reduce<Moved>("drift", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
           const Vec3<float> velocity = v[i] + dv;
           const Vec3<float> free = x[i] + step * velocity;
-          const Vec3<float> stopped = contact.resolve(x[i], free);
+          const Vec3<float> stopped = contact.resolve(x[i], free, Since::start);
           const Vec3<float> push = stopped - free;
           drifted_x.set(i, stopped);
           drifted_v.set(i, velocity + (1 / step) * push);
@@ -244,7 +244,8 @@ struct Run final : Engine {
           const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
           // If it was not alone before, it may be nearer; no velocity comes of it.
           if (step.alone(i))
-            corrected.set(i, step.contact.resolve_off_walls(corrected[i], step.rest_distance()));
+            corrected.set(i, step.contact.resolve_off_walls(corrected[i], corrected[i],
+                                                            step.rest_distance()));
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * drifted_x.value(i);
@@ -313,9 +314,8 @@ struct Run final : Engine {
   }
 
   FrameStatistics advance_to(double end, const std::atomic<bool>* stop) override {
-    FrameStatistics statistics;
     executor.set_stop(stop);
-    if (time_step.last() == 0) {
+    FrameStatistics statistics;
     try {
       advance_to(end, statistics);
     } catch (const Stopped&) {
@@ -326,6 +326,7 @@ struct Run final : Engine {
   }
 
   void advance_to(double end, FrameStatistics& statistics) {
+    if (time_step.last() == 0) {
       settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
              walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
@@ -379,6 +380,7 @@ struct Run final : Engine {
       Frame frame;
       frame.time = end;
       frame.last_time_step = last;
+      frame.allowed_time_step = allowed;
       frame.boundary_pressures = of_walls.take();
       of_particles.put_into(frame);
       return frame;
@@ -388,7 +390,6 @@ struct Run final : Engine {
   }
 
   std::size_t particle_count() const override { return particles.count; }
-      frame.allowed_time_step = allowed;
   std::size_t boundary_particle_count() const override { return walls.boundary().count(); }
   const PhaseClock& clock() const override { return executor.clock(); }
 
