@@ -274,14 +274,17 @@ inline constexpr auto table<sim::Settings> = std::tuple{
 
 template <>
 inline constexpr auto table<surface::SurfaceSettings> = std::tuple{
-    Field{"cell_size", &surface::SurfaceSettings::cell_size, "edge of a marching-cubes cell",
-          Range{0.1, 2.}, "particle spacings"},
+    Field{"cell_size", &surface::SurfaceSettings::cell_size,
+          "edge of a marching-cubes cell; larger ones would miss liquid", Range{0.1, 1.},
+          "particle spacings"},
     Field{"kernel_radius", &surface::SurfaceSettings::kernel_radius,
           "reach of a particle in the field", Range{1.5, 4.}, "particle spacings"},
     Field{"iso_value", &surface::SurfaceSettings::iso_value,
           "value of the field at the surface; 1 deep in the liquid, 0 outside", Range{0.2, 0.8}},
     Field{"smoothing", &surface::SurfaceSettings::smoothing,
-          "iterations that take single particles' bumps off", Range{0, 100}}};
+          "iterations that take single particles' bumps off, as far as every drop and every other "
+          "piece of liquid keeps 99 % of its volume",
+          Range{0, 100}}};
 
 template <>
 inline constexpr auto table<CameraKey> = std::tuple{
@@ -367,7 +370,9 @@ inline constexpr auto table<VideoConfig> = std::tuple{
           "pictures per second of the liquid's time", Range{1, 1000}, "1/s"},
     Field{"duration", &VideoConfig::duration, "length of the video", Range{1e-3, 1e5}, "s"},
     Field{"quality", &VideoConfig::quality,
-          "H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst", Range{0, 51}}};
+          "H.264 constant rate factor: 0 is best, 18 looks lossless, 51 is worst; none is "
+          "lossless, but the pictures in frames/ are",
+          Range{0, 51}}};
 
 template <>
 inline constexpr auto table<Scene> = std::tuple{

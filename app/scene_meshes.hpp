@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/scene.hpp"
 #include "app/scene_document.hpp"
@@ -12,5 +14,8 @@ namespace spindrift::app {
 /// from
 /// @throws SceneError that names the value's place
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
+
+/// What is worth knowing of a scene's meshes, a sentence each: those that have cavities.
+std::vector<std::string> mesh_notes(const Scene& scene);
 
 }  // namespace spindrift::app

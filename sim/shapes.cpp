@@ -14,6 +14,8 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // which clang 14 does not find by itself
 
 /// How many lattice cells fit along a length; a length that is short of a whole number by rounding
 /// only still counts as whole.
