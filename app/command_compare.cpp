@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -8,6 +9,8 @@
 #include "app/comparison.hpp"
 #include "app/picture_source.hpp"
 #include "app/scene_document.hpp"
+#include "app/threads.hpp"
+#include "render/output/atomic_file.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -84,6 +87,7 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
           "{}: the differences would take the place of these pictures; give another folder by -o",
           source->path().string()));
   fs::create_directories(differences);
+  output::remove_part_files(differences);
   remove_pictures(differences);
   ComparisonReport comparison{.title = "Spindrift comparison",
                               .a = a.path().string(),
@@ -115,6 +119,8 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
 int run_compare(const CompareOptions& options) {
   PictureSource a(options.a), b(options.b);
   require_same_names(a, b);
+  require_threads(omp_get_max_threads() - 1);
+  const FolderLock lock(options.output, false);
   ComparisonReport comparison = compared(a, b, options);
   if (comparison.pairs.empty())
     throw InputError(

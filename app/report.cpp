@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numeric>
 
 #include "app/progress.hpp"
 #include "app/scene_values.hpp"
@@ -93,40 +94,41 @@ std::string machine_text() {
                      SPINDRIFT_VERSION, SPINDRIFT_COMPILER);
 }
 
-nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) {
+nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record,
+                                   const nlohmann::ordered_json& earlier) {
   nlohmann::ordered_json json;
-  json["name"] = scene.name;
-  json["complete"] = !record.interrupted && record.frames_finished == record.frames_wanted;
-  json["versions"] = versions_json();
   json["gl"] = {{"renderer", record.gl_renderer},
                 {"version", record.gl_version},
                 {"device", record.egl_device}};
-  json["simulation_hash"] = simulation_hash(scene);
   json["particles"] = record.particles;
-  json["boundary_particles"] = record.boundary_particles;
-  json["simulation_bytes"] = record.simulation_bytes;
-  if (record.backend)
-    json["backend"] = {{"name", json_of(record.backend->backend)},
-                       {"reason", record.backend->reason}};
+  json["boundary_particles"] = record.simulation.boundary_particles;
+  json["simulation_bytes"] = record.simulation.bytes;
+  if (record.simulation.backend)
+    json["backend"] = json_of(*record.simulation.backend);
   json["first_frame"] = record.first_frame;
   json["frames_wanted"] = record.frames_wanted;
   json["frames_finished"] = record.frames_finished;
   json["frames_simulated"] = record.frames_simulated;
   json["wall_seconds"] = record.wall_seconds;
   json["stage_seconds"] = record.stage_seconds;
-  auto phases = nlohmann::ordered_json::object();
-  for (const auto& phase : record.simulation_phases)
-    phases[phase.name] = {{"seconds", phase.seconds}, {"calls", phase.calls}};
-  json["simulation_phases"] = phases;
-  json["steps"] = total(record.frames, &sim::FrameStatistics::steps);
-  json["rejected_steps"] = total(record.frames, &sim::FrameStatistics::rejected_steps);
-  json["iterations"] = total(record.frames, &sim::FrameStatistics::iterations);
-  json["worst_mean_compression"] = worst(record.frames, &sim::FrameStatistics::mean_compression);
-  json["worst_max_compression"] = worst(record.frames, &sim::FrameStatistics::max_compression);
+  json["simulation_seconds"] = record.simulation.seconds;
+  json["simulation_phases"] = json_of(record.simulation.phases);
+  auto frames = frames_json(scene, record);
+  for (std::size_t k = frames.size(); k < earlier.size(); ++k)
+    frames.push_back(earlier[k]);
+  for (const char* key : {"steps", "rejected_steps", "iterations"})
+    json[key] = std::accumulate(frames.begin(), frames.end(), std::int64_t{0},
+                                [&](std::int64_t sum, const auto& frame) {
+                                  return sum + frame.at(key).template get<std::int64_t>();
+                                });
+  for (const char* key : {"mean_compression", "max_compression"})
+    json[fmt::format("worst_{}", key)] =
+        std::accumulate(frames.begin(), frames.end(), 0., [&](double most, const auto& frame) {
+          return std::max(most, frame.at(key).template get<double>());
+        });
   if (!scene.probes.empty())
     json["probes"] = {{"table", "probes.csv"}, {"report", "probes.html"}};
-  json["frames"] = frames_json(scene, record);
-  json["scene"] = to_json(scene);
+  json["frames"] = std::move(frames);
   return json;
 }
 
@@ -161,8 +163,8 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
           "lie four spacings behind the opening\n",
           e.held_back);
   }
-  if (!options.simulate_only)
-    fmt::print("  {}\n", (options.output / "video.mp4").string());
+  if (!record.video.empty())
+    fmt::print("  {}\n", record.video.string());
   if (!scene.probes.empty())
     fmt::print("  {}\n", (options.output / "probes.html").string());
 }

@@ -71,6 +71,9 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Pictures in a video, as its index says; 0: it can't be read.
+int video_length(const std::filesystem::path& file);
+
 /// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
 /// format that libav knows is a video of one picture.) Pictures with more than 8 bits a sample, or
 /// that are transparent somewhere, are refused. No other file is opened, whatever the video names.
