@@ -8,14 +8,16 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <new>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
 #include "app/bench_options.hpp"
+#include "app/cache_options.hpp"
 #include "app/commands.hpp"
 #include "app/compare_options.hpp"
 #include "app/error_report.hpp"
+#include "app/machine_limits.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_reader.hpp"
 #include "app/scene_warnings.hpp"
@@ -36,6 +38,8 @@ struct Typed : TypedCommon {
   std::string from_particles;
   std::vector<std::string> exports;
   bool no_cache = false;
+  bool force = false;
+  std::string progress = "text";
   bool of_sweeps = false;  // schema
   std::string command;     // help
 };
@@ -59,6 +63,13 @@ void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::str
       ->take_all()
       ->check(CLI::IsMember(exports));
   command.add_flag("--no-cache", typed.no_cache, "Simulate anew and keep no particles");
+  command.add_flag("--force", typed.force,
+                   "Also where another scene's results are replaced, or it may not fit");
+  command
+      .add_option("--progress", typed.progress,
+                  "How far the run is, on stderr: text, or json for a line of JSON for each frame")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 int parse_frame_number(const std::string& text, int if_empty) {
@@ -116,15 +127,18 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   const Scene scene = typed_scene(typed);
   if (const std::string refused = sim::why_refused(scene.simulation); !refused.empty())
     throw UsageError(refused);
-  if (!typed.quiet)
-    for (const std::string& warning : scene_warnings(scene))
-      tell_warning(warning);
   const auto exports = [&](std::string_view what) {
     return std::find(typed.exports.begin(), typed.exports.end(), what) != typed.exports.end();
   };
   RenderOptions options;
   options.output = typed.output.empty() ? std::filesystem::path("out") / scene.name
                                         : std::filesystem::path(typed.output);
+  std::error_code not_there;
+  const auto file = std::filesystem::canonical(typed.scene, not_there);
+  options.scene_file = not_there ? typed.scene : file.string();
+  options.replace = typed.force || !typed.output.empty();
+  options.force = typed.force;
+  options.progress = typed.progress == "json" ? ProgressKind::json : ProgressKind::text;
   options.frames = parse_frames(typed.frames, scene.video.frame_count());
   if (!typed.from_particles.empty()) {
     if (!std::filesystem::is_directory(typed.from_particles)) {
@@ -141,6 +155,9 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   options.quiet = typed.quiet;
   options.json = typed.json;
   options.command_line_hint = hint;
+  if (!typed.quiet && !options.from_particles) {
+    print_warnings(scene);
+  }
   return run_render(scene, options);
 }
 
@@ -234,6 +251,10 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   GoldenOptions golden_options;
   add_golden_options(*golden, golden_options);
 
+  CLI::App* cache = app.add_subcommand("cache", "List or remove kept simulations");
+  TypedCache typed_cache;
+  add_cache_options(*cache, typed_cache);
+
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
@@ -279,6 +300,9 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   if (golden->parsed()) {
     return run_golden(golden_options);
   }
+  if (cache->parsed()) {
+    return run_typed_cache(typed_cache);
+  }
   if (info->parsed()) {
     return run_info(typed.json);
   }
@@ -323,10 +347,13 @@ int run_command_line(int argc, const char* const* argv) {
     return tell_error(error, json);
   } catch (const InputError& error) {
     return tell_error(bad_usage, error.what(), json);
-  } catch (const std::bad_alloc&) {
-    return tell_error(run_failed, "out of memory", json);
-  } catch (const std::exception& error) {
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::broken_pipe) {
+      return run_failed;  // who was to read it has heard enough
+    }
     return tell_error(run_failed, error.what(), json);
+  } catch (const std::exception& error) {
+    return tell_error(run_failed, reason_of(error), json);
   }
 }
 

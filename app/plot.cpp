@@ -68,9 +68,10 @@ std::string draw_svg(const Plot& plot) {
   try {
     result = run_process({"gnuplot"}, gnuplot_script(plot), never);
   } catch (const std::system_error& error) {
-    throw std::runtime_error(fmt::format(
-        "gnuplot, which draws the plots, can't be run ({}); on Debian: apt-get install gnuplot-nox",
-        error.code().message()));
+    const bool missing = error.code() == std::errc::no_such_file_or_directory;
+    throw std::runtime_error(
+        fmt::format("gnuplot, which draws the plots, can't be run ({}){}", error.code().message(),
+                    missing ? "; on Debian: apt-get install gnuplot-nox" : ""));
   }
   const auto begin = result.out.find("<svg");
   const auto end = result.out.rfind("</svg>");

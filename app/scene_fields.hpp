@@ -133,8 +133,9 @@ inline constexpr auto table<sim::Emitter> = std::tuple{
 
 template <>
 inline constexpr auto table<sim::FluidSettings> = std::tuple{
-    Field{"spacing", &sim::FluidSettings::spacing, "distance between particle centres at rest",
-          Range{1e-6, 100.}, "m"},
+    Field{"spacing", &sim::FluidSettings::spacing,
+          "distance between particle centres at rest, fitted to the volumes", Range{1e-6, 100.},
+          "m"},
     Field{"rest_density", &sim::FluidSettings::rest_density, "density of the liquid at rest",
           Range{1e-3, 1e5}, "kg/m³"},
     Field{"viscosity", &sim::FluidSettings::viscosity, "dynamic viscosity", Range{0., 1e4}, "Pa·s"},
@@ -150,8 +151,8 @@ inline constexpr auto table<sim::FluidSettings> = std::tuple{
           "air to it",
           Range{90., 180.}, "degrees"},
     Field{"volumes", &sim::FluidSettings::volumes,
-          "regions filled with liquid at the start; a box's outermost particle centres lie half a "
-          "spacing inside its faces; none if there are only emitters"},
+          "regions filled with liquid at the start, but for what obstacles take up; particles on a "
+          "lattice that fits a box from face to face; none if there are only emitters"},
     Field{"emitters", &sim::FluidSettings::emitters,
           "openings that liquid enters through; each has a nozzle of four spacings behind it"}};
 
@@ -274,14 +275,17 @@ inline constexpr auto table<sim::Settings> = std::tuple{
 
 template <>
 inline constexpr auto table<surface::SurfaceSettings> = std::tuple{
-    Field{"cell_size", &surface::SurfaceSettings::cell_size, "edge of a marching-cubes cell",
-          Range{0.1, 2.}, "particle spacings"},
+    Field{"cell_size", &surface::SurfaceSettings::cell_size,
+          "edge of a marching-cubes cell; larger ones would miss liquid", Range{0.1, 1.},
+          "particle spacings"},
     Field{"kernel_radius", &surface::SurfaceSettings::kernel_radius,
           "reach of a particle in the field", Range{1.5, 4.}, "particle spacings"},
     Field{"iso_value", &surface::SurfaceSettings::iso_value,
           "value of the field at the surface; 1 deep in the liquid, 0 outside", Range{0.2, 0.8}},
     Field{"smoothing", &surface::SurfaceSettings::smoothing,
-          "iterations that take single particles' bumps off", Range{0, 100}}};
+          "iterations that take single particles' bumps off, as far as every drop and every other "
+          "piece of liquid keeps 99 % of its volume",
+          Range{0, 100}}};
 
 template <>
 inline constexpr auto table<CameraKey> = std::tuple{
@@ -369,7 +373,9 @@ inline constexpr auto table<VideoConfig> = std::tuple{
           Range{1, 1000}, "1/s"},
     Field{"duration", &VideoConfig::duration, "length of the video", Range{1e-3, 1e5}, "s"},
     Field{"quality", &VideoConfig::quality,
-          "H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst", Range{0, 51}}};
+          "H.264 constant rate factor: 0 is best, 18 looks lossless, 51 is worst; none is "
+          "lossless, but the pictures in frames/ are",
+          Range{0, 51}}};
 
 template <>
 inline constexpr auto table<Scene> = std::tuple{

@@ -1,15 +1,19 @@
-// What can be run, but will hardly give what its author expects.
+// What a scene asks for and can't have, though it can be simulated.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "app/exchange_checks.hpp"
 #include "app/scene.hpp"
 
 namespace spindrift::app {
 
-/// A sentence for each such thing in a scene that has passed its checks: "PATH: what was found,
-/// what comes of it, and what to do".
-std::vector<std::string> scene_warnings(const Scene& scene);
+/// Meshes with cavities, liquid that has no place, in litres asked for and got, obstacles outside
+/// the domain, emitters that bring nothing, and a speed of sound (sph) that lets the liquid be
+/// compressed; each with the path of what is meant.
+std::vector<Complaint> warnings_of(const Scene& scene);
+
+/// Prints them to standard error.
+void print_warnings(const Scene& scene);
 
 }  // namespace spindrift::app

@@ -5,10 +5,12 @@
 
 namespace spindrift {
 
-/// Both numbers are positive and have no common divisor: 30 a second, or 30000/1001 (NTSC).
+/// 30 a second, or 30000/1001 (NTSC).
 struct FrameRate {
-  int numerator = 30;   ///< pictures
-  int denominator = 1;  ///< s
+  constexpr FrameRate(int n = 30, int d = 1) : numerator(n), denominator(d) {}
+
+  int numerator;    ///< pictures
+  int denominator;  ///< s
 
   /// Rounded, 1/s.
   double per_second() const { return static_cast<double>(numerator) / denominator; }

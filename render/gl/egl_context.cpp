@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "render/gl/egl_devices.hpp"
+#include "render/gl/egl_failure.hpp"
+#include "render/shortage.hpp"
 
 namespace spindrift::gl {
 
@@ -33,6 +35,8 @@ template <typename Function>
 Function egl_function(const char* name) {
   return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
+
+constexpr std::size_t mesa_address_space = std::size_t{512} << 20;  // bytes; it crashed with 310 MiB
 
 struct Display {
   EGLDisplay display;
@@ -102,6 +106,10 @@ EglContext::EglContext(std::optional<int> cuda_device) {
   // wants to see that sets the variable.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
 
+  // Mesa does not come through all of its start without memory for the code that it makes and for
+  // its threads' stacks.
+  if (const auto short_of = shortage(mesa_address_space))
+    throw std::runtime_error(fmt::format("there is nothing to draw with: {}", *short_of));
   std::string reason;
   for (const Display& candidate : displays(cuda_device)) {
     reason = try_display(candidate.display);
@@ -110,14 +118,7 @@ EglContext::EglContext(std::optional<int> cuda_device) {
       return;
     }
   }
-  if (reason.empty()) {
-    throw std::runtime_error(
-        "no EGL device to draw with: install the Debian packages libegl1 and libgl1-mesa-dri");
-  }
-  throw std::runtime_error(fmt::format(
-      "no EGL device gives OpenGL 4.5 without a display ({}): install the Debian package "
-      "libgl1-mesa-dri",
-      reason));
+  throw std::runtime_error(egl_failure(reason));
 }
 
 std::string EglContext::try_display(EGLDisplay display) {

@@ -15,7 +15,8 @@ namespace spindrift::gl {
 class EglContext {
  public:
   /// @param cuda_device CUDA's number of the GPU that it computes on, if it does
-  /// @throws std::runtime_error saying what is missing and which Debian package supplies it.
+  /// @throws std::runtime_error saying what is at fault: a limit of the system, a variable of the
+  /// environment, or a library, with the Debian package that supplies it.
   explicit EglContext(std::optional<int> cuda_device);
   ~EglContext();
   EglContext(const EglContext&) = delete;

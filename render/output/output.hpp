@@ -24,20 +24,26 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// The bytes of such a PNG. @throws std::invalid_argument as write_png
 std::vector<std::byte> encode_png(const Image& image);
 
-/// Reads a PNG as 8-bit RGB (grey is spread to three channels, alpha dropped). @throws
-/// std::runtime_error naming the file and the reason.
+/// Pictures of more pixels are not read: twice those of the largest picture that is drawn.
+inline constexpr std::size_t most_pixels = std::size_t{2} * 8192 * 8192;
+
+/// Reads a PNG as 8-bit RGB, without loss: grey is spread to three channels, a palette looked up. A
+/// picture that 8-bit RGB cannot hold is refused: one that is transparent somewhere, that has
+/// 16-bit samples between the 8-bit ones, or that is animated.
+/// @throws std::runtime_error naming the file and the reason.
 Image read_png(const std::filesystem::path& file);
 
 struct VideoSettings {
-  int width = 1280;  ///< pixels, even
-  int height = 720;  ///< pixels, even
-  FrameRate frames_per_second;
-  int quality = 18;  ///< H.264 constant rate factor: 0 is lossless, 18 looks so, 51 is worst
+  int width = 1280;                  ///< pixels, even
+  int height = 720;                  ///< pixels, even
+  FrameRate frames_per_second = 30;  ///< more than 0, at most 1000
+  int quality = 18;  ///< H.264 constant rate factor: 0 is best, 18 looks lossless, 51 is worst
 };
 
-/// H.264 in MP4: yuv420p, BT.709 tagged, constant frame rate, index at the front.
-/// Frames go in one by one; the file appears under its name on finish() (or on destruction after at
-/// least one frame, so that an interrupted run leaves a video of what was finished).
+/// H.264 in MP4 that browsers play: profile High, yuv420p, BT.709 tagged, constant frame rate,
+/// index at the front. Frames go in one by one; the file appears under its name on finish() (or on
+/// destruction after at least one frame, so that an interrupted run leaves a video of what was
+/// finished).
 class VideoWriter {
  public:
   /// @throws std::invalid_argument for settings out of range, std::runtime_error when the encoder
@@ -59,8 +65,12 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Pictures in a video, as its index says; 0: it can't be read.
+int video_length(const std::filesystem::path& file);
+
 /// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
-/// format that libav knows is a video of one picture.)
+/// format that libav knows is a video of one picture.) Pictures with more than 8 bits a sample, or
+/// that are transparent somewhere, are refused. No other file is opened, whatever the video names.
 class VideoReader {
  public:
   /// @throws std::runtime_error naming the file and the reason

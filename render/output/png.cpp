@@ -5,20 +5,19 @@
 
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
-#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/output/atomic_file.hpp"
+#include "render/output/input_file.hpp"
 #include "render/output/output.hpp"
 
 namespace {
@@ -103,21 +102,57 @@ Bytes encode(const Image& image) {
   return png;
 }
 
-Bytes read_file(const std::filesystem::path& file) {
-  errno = 0;
-  Bytes bytes;
-  std::ifstream input(file, std::ios::binary);
-  std::array<char, 65536> piece{};
-  while (input) {
-    input.read(piece.data(), piece.size());
-    const auto read = std::as_bytes(std::span(piece).first(std::size_t(input.gcount())));
-    bytes.insert(bytes.end(), read.begin(), read.end());
+/// A big-endian number of four bytes, as PNG has them.
+std::uint32_t number_at(std::string_view png, std::size_t place) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    number = number << 8 | static_cast<unsigned char>(png[place + i]);
   }
-  if (!input.eof()) {
-    throw std::runtime_error("cannot read " + file.string() + ": " +
-                             (errno != 0 ? std::strerror(errno) : "read error"));
+  return number;
+}
+
+/// Chunks are a length (4 bytes), a type (4), data and a checksum (4), after a signature of 8.
+bool has_chunk(std::string_view png, std::string_view type) {
+  for (std::size_t at = 8; at + 12 <= png.size(); at += 12 + std::size_t{number_at(png, at)}) {
+    if (png.substr(at + 4, 4) == type) {
+      return true;
+    }
   }
-  return bytes;
+  return false;
+}
+
+/// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
+/// hold, and chunks longer than the file. @return the reason; empty: none
+std::string why_refused(std::string_view png) {
+  constexpr std::size_t kWidth = 16, kHeight = 20, kDepth = 24, kColours = 25;  // places in IHDR
+  constexpr std::array<std::uint64_t, 7> kChannels = {1, 0, 3, 1, 2, 0, 4};     // by colour type
+  constexpr std::uint64_t kMostPerByte = 1032;  // that deflate makes out of one
+  if (png.size() < kBytesBeforeColourTag || png.substr(12, 4) != "IHDR") {
+    return "it does not begin as a PNG does";
+  }
+  const std::uint64_t width = number_at(png, kWidth), height = number_at(png, kHeight);
+  if (width == 0 || height == 0 || width > most_pixels || height > most_pixels ||
+      width * height > most_pixels) {
+    return std::to_string(width) + "x" + std::to_string(height) + " pixels; accepted: 1 to " +
+           std::to_string(most_pixels) + " in all";
+  }
+  const auto colours = static_cast<unsigned char>(png[kColours]);
+  const std::uint64_t bits = static_cast<unsigned char>(png[kDepth]) *
+                             (colours < kChannels.size() ? kChannels[colours] : 0);
+  // Without its last chunk, it ends within another, whose length is too large.
+  return !has_chunk(png, "IEND") || width * height * bits / 8 > kMostPerByte * png.size()
+             ? "damaged or cut short"
+             : "";
+}
+
+struct FreePixels {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+template <class Sample>
+using Pixels = std::unique_ptr<Sample, FreePixels>;
+
+std::size_t samples(const Image& image, int channels) {
+  return std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels);
 }
 
 }  // namespace
@@ -144,25 +179,57 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 }
 
 Image read_png(const std::filesystem::path& file) {
-  const Bytes png = read_file(file);
-  const auto fail = [&](const char* reason) {
+  const std::string png = read_file(file);
+  const auto fail = [&](const std::string& reason) {
     throw std::runtime_error("cannot read " + file.string() + ": " + reason);
   };
   if (png.size() > std::numeric_limits<int>::max()) {
     fail("file too large");
   }
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()),
-                            static_cast<int>(png.size()), &width, &height, &channels, 3),
-      &stbi_image_free);
-  if (!pixels) {
-    fail((std::string("damaged, cut short or no picture (") + stbi_failure_reason() + ")").c_str());
+  if (const std::string reason = why_refused(png); !reason.empty()) {
+    fail(reason);
   }
-  Image image(width, height);
-  std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size());
+  const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
+  const int length = static_cast<int>(png.size());
+  if (has_chunk(png, "acTL")) {
+    fail("it is animated; accepted: still pictures");
+  }
+  Image image;
+  int channels = 0;
+  const auto require = [&](const void* pixels) {
+    if (pixels == nullptr) {
+      const char* reason = stbi_failure_reason();
+      fail("damaged, cut short or no picture (" + std::string(reason ? reason : "no reason given") +
+           ")");
+    }
+  };
+  const bool plain = stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) &&
+                     channels % 2 == 1 && !has_chunk(png, "tRNS") &&
+                     !stbi_is_16_bit_from_memory(bytes, length);
+  if (plain) {
+    const Pixels<stbi_uc> pixels(
+        stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 3));
+    require(pixels.get());
+    image.pixels.assign(pixels.get(), pixels.get() + samples(image, 3));
+    return image;
+  }
+  const Pixels<stbi_us> pixels(
+      stbi_load_16_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
+  require(pixels.get());
+  image.pixels.reserve(samples(image, 3));
+  for (std::size_t i = 0; i < samples(image, 4); ++i) {
+    const stbi_us sample = pixels.get()[i];
+    if (i % 4 == 3) {
+      if (sample != 0xffff) {
+        fail("it is transparent in places; accepted: opaque pictures");
+      }
+      continue;
+    }
+    if (sample % 0x101 != 0) {  // an 8-bit value v is v * 0x101 in 16 bits
+      fail("it has 16-bit samples that 8 bits cannot hold; accepted: 8 bits a sample");
+    }
+    image.pixels.push_back(static_cast<std::uint8_t>(sample >> 8));
+  }
   return image;
 }
 

@@ -6,6 +6,8 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -15,6 +17,7 @@ extern "C" {
 #include "render/output/atomic_file.hpp"
 #include "render/output/libav.hpp"
 #include "render/output/output.hpp"
+#include "render/shortage.hpp"
 
 namespace spindrift::output {
 namespace {
@@ -28,12 +31,16 @@ constexpr int kThreads = 4;
 //   veryfast  14 ms,  6.9 KiB a frame     medium  30 ms, 7.2 KiB a frame
 constexpr const char* kPreset = "veryfast";
 
+// To libx264 a factor of 0 is another mode, in a profile (High 4:4:4 Predictive) that browsers do
+// not play; the colours would have lost as much before, in the conversion to yuv420p.
+constexpr int kBestRateFactor = 1;
+
 constexpr int kSecondsBetweenKeyFrames = 2;  // how far a player has to decode after a jump
 
 void libav_check(int result, const std::filesystem::path& file, const char* doing) {
   if (result < 0) {
     throw std::runtime_error("cannot write " + file.string() + ": " + doing + ": " +
-                             reason(result));
+                             shortage().value_or(reason(result)));
   }
 }
 
@@ -75,11 +82,11 @@ const VideoSettings& validated(const VideoSettings& settings) {
     reject("width and height must be positive and even, not " + std::to_string(settings.width) +
            "x" + std::to_string(settings.height));
   }
-  const auto& [pictures, seconds] = settings.frames_per_second;
-  if (seconds <= 0 || seconds > 1000000 || pictures < seconds || pictures > 1000 * seconds ||
-      pictures > 1000000) {
-    reject("frames per second must be 1 to 1000, not " + std::to_string(pictures) + "/" +
-           std::to_string(seconds));
+  const FrameRate rate = settings.frames_per_second;
+  if (rate.numerator <= 0 || rate.denominator <= 0 ||
+      rate.numerator > std::int64_t{1000} * rate.denominator) {
+    reject("frames per second must be more than 0 and at most 1000, not " +
+           std::to_string(rate.numerator) + "/" + std::to_string(rate.denominator));
   }
   if (settings.quality < 0 || settings.quality > 51) {
     reject("quality must be 0 to 51, not " + std::to_string(settings.quality));
@@ -99,16 +106,16 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   encoder->colorspace = AVCOL_SPC_BT709;
   encoder->color_range = AVCOL_RANGE_MPEG;
   encoder->chroma_sample_location = AVCHROMA_LOC_LEFT;
-  const auto& [pictures, seconds] = settings.frames_per_second;
-  encoder->framerate = {pictures, seconds};
-  encoder->time_base = {seconds, pictures};
-  encoder->gop_size = settings.frames_per_second.count_in(kSecondsBetweenKeyFrames);
+  const FrameRate rate = settings.frames_per_second;
+  encoder->framerate = {rate.numerator, rate.denominator};
+  encoder->time_base = {rate.denominator, rate.numerator};
+  encoder->gop_size = std::max(1, kSecondsBetweenKeyFrames * rate.numerator / rate.denominator);
   encoder->thread_count = kThreads;
   // No version strings; the header once, in front, as MP4 wants it.
   encoder->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
   if (std::string(codec.name) == "libx264") {
     av_opt_set(encoder->priv_data, "preset", kPreset, 0);
-    av_opt_set_double(encoder->priv_data, "crf", settings.quality, 0);
+    av_opt_set_double(encoder->priv_data, "crf", std::max(kBestRateFactor, settings.quality), 0);
     // The same choice of algorithms on every CPU.
     av_opt_set(encoder->priv_data, "x264-params", "cpu-independent=1", 0);
   } else {
@@ -215,7 +222,9 @@ void VideoWriter::Impl::open_muxer() {
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "+faststart", 0);
   // The default of milliseconds can't express most durations.
-  av_dict_set_int(&options, "movie_timescale", settings.frames_per_second.numerator * 1000, 0);
+  const FrameRate rate = settings.frames_per_second;
+  av_dict_set_int(&options, "movie_timescale",
+                  rate.denominator == 1 ? rate.numerator * 1000 : rate.numerator, 0);
   const int result = avformat_write_header(muxer.get(), &options);
   av_dict_free(&options);
   check(result, "MP4 header");

@@ -3,7 +3,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "render/surface/lanes.hpp"
@@ -50,9 +52,11 @@ Lanes to_lanes(const glm::vec3& position, const glm::vec3& normal) {
 // One step of weighted Laplacian smoothing: every vertex takes this share of each of the ways to
 // its neighbours.
 void relax(const Neighbours& neighbours, const std::vector<float>& share,
-           const std::vector<Lanes>& from, std::vector<Lanes>& to) {
+           std::span<const std::uint32_t> vertices, const std::vector<Lanes>& from,
+           std::vector<Lanes>& to) {
 #pragma omp parallel for schedule(static)
-  for (std::size_t v = 0; v < from.size(); ++v) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::uint32_t v = vertices[i];
     const std::uint32_t begin = neighbours.begin[v];
     const std::uint32_t end = neighbours.begin[v + 1];
     const Lanes here = from[v];
@@ -60,15 +64,6 @@ void relax(const Neighbours& neighbours, const std::vector<float>& share,
     for (std::uint32_t k = begin; k < end; ++k)
       sum += from[neighbours.index[k]] - here;
     to[v] = here + share[v] * sum;
-  }
-}
-
-void relax(const Neighbours& neighbours, const std::vector<float>& share, int iterations,
-           std::vector<Lanes>& points) {
-  std::vector<Lanes> other(points.size());
-  for (int i = 0; i < iterations; ++i) {
-    relax(neighbours, share, points, other);
-    points.swap(other);
   }
 }
 
@@ -82,25 +77,163 @@ float smoothing_weight(float bulk) {
   return kStep * t * t * (3.0f - 2.0f * t);
 }
 
+// 2 L - L^2 of some of the vertices, which are whole pieces of the mesh.
+class Filter {
+ public:
+  Filter(const Mesh& mesh, std::span<const float> bulk)
+      : neighbours_(mesh), share_(bulk.size()), once_(bulk.size()), twice_(bulk.size()) {
+    for (std::size_t v = 0; v < share_.size(); ++v)
+      share_[v] =
+          smoothing_weight(bulk[v]) / float(neighbours_.begin[v + 1] - neighbours_.begin[v]);
+  }
+
+  // @param result what is smoothed; the other vertices stay
+  void smooth(std::span<const std::uint32_t> vertices, int iterations, std::vector<Lanes>& result) {
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      once_[vertices[i]] = result[vertices[i]];
+    apply(vertices, iterations, once_, result);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      twice_[vertices[i]] = once_[vertices[i]];
+    apply(vertices, iterations, twice_, result);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      result[vertices[i]] = 2.0f * once_[vertices[i]] - twice_[vertices[i]];
+  }
+
+ private:
+  void apply(std::span<const std::uint32_t> vertices, int iterations, std::vector<Lanes>& points,
+             std::vector<Lanes>& other) const {
+    for (int i = 0; i < iterations; ++i) {
+      relax(neighbours_, share_, vertices, points, other);
+      points.swap(other);
+    }
+  }
+
+  Neighbours neighbours_;
+  std::vector<float> share_;
+  std::vector<Lanes> once_, twice_;
+};
+
+// The connected pieces of a mesh: drops, the bulk, bubbles.
+class Pieces {
+ public:
+  explicit Pieces(const Mesh& mesh) : mesh_(mesh), of_vertex_(mesh.vertices.size()) {
+    std::vector<std::uint32_t> parent(mesh.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](std::uint32_t v) {
+      while (parent[v] != v)
+        v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for (const glm::uvec3& t : mesh.triangles) {
+      const std::uint32_t a = root(t.x), b = root(t.y), c = root(t.z);
+      parent[a] = parent[b] = parent[c] = std::min({a, b, c});
+    }
+    for (std::uint32_t v = 0; v < parent.size(); ++v) {
+      const std::uint32_t r = root(v);  // the piece's first vertex
+      if (r == v)
+        first_.push_back(v);
+      of_vertex_[v] = r == v ? std::uint32_t(first_.size() - 1) : of_vertex_[r];
+    }
+  }
+
+  std::size_t count() const { return first_.size(); }
+
+  std::vector<std::uint32_t> vertices_of(const std::vector<char>& chosen) const {
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t v = 0; v < of_vertex_.size(); ++v)
+      if (chosen[of_vertex_[v]])
+        vertices.push_back(v);
+    return vertices;
+  }
+
+  std::uint32_t of_vertex(std::size_t v) const { return of_vertex_[v]; }
+
+  // Sums over the triangles in their order, whatever the number of threads.
+  template <class Position>
+  std::vector<double> volumes(const Position& position) const {
+    std::vector<double> sums(count());
+    for (const glm::uvec3& t : mesh_.triangles) {
+      const std::uint32_t piece = of_vertex_[t.x];
+      const glm::dvec3 origin(mesh_.vertices[first_[piece]]);
+      const glm::dvec3 a = position(t.x) - origin, b = position(t.y) - origin,
+                       c = position(t.z) - origin;
+      sums[piece] += glm::dot(a, glm::cross(b, c)) / 6.0;
+    }
+    return sums;
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> of_vertex_;
+  std::vector<std::uint32_t> first_;  // vertex of each piece
+};
+
+glm::dvec3 position_of(const Lanes& p) {
+  return {p[0], p[1], p[2]};
+}
+
+// Share of a piece's volume that smoothing may take from it, or add to a bubble.
+constexpr double kMostLost = 0.01;
+
+// Gives pieces of which smoothing took too much as many iterations as leave them their volume,
+// between the powers of two below the number asked for.
+// @param points smoothed with that many iterations
+void give_volume_back(const Mesh& mesh, Filter& filter, int iterations,
+                      const std::vector<Lanes>& original, std::vector<Lanes>& points) {
+  const Pieces pieces(mesh);
+  const std::vector<double> whole =
+      pieces.volumes([&](std::uint32_t v) { return glm::dvec3(mesh.vertices[v]); });
+  const auto losses = [&](const std::vector<Lanes>& of) {
+    std::vector<double> lost = pieces.volumes([&](std::uint32_t v) { return position_of(of[v]); });
+    for (std::size_t piece = 0; piece < lost.size(); ++piece)
+      lost[piece] = std::abs(1.0 - lost[piece] / whole[piece]);
+    return lost;
+  };
+  std::vector<double> lost = losses(points);
+  std::vector<char> beyond(pieces.count());
+  for (std::size_t piece = 0; piece < beyond.size(); ++piece)
+    beyond[piece] = !(lost[piece] <= kMostLost);  // where there is no volume, there is no number
+  for (std::vector<std::uint32_t> vertices = pieces.vertices_of(beyond); !vertices.empty();
+       vertices = pieces.vertices_of(beyond)) {
+    iterations /= 2;
+    std::vector<Lanes> fewer = original;
+    if (iterations > 0)
+      filter.smooth(vertices, iterations, fewer);
+    const std::vector<double> lost_by_fewer =
+        iterations > 0 ? losses(fewer) : std::vector<double>(pieces.count());
+    for (const std::uint32_t v : vertices) {
+      const std::uint32_t piece = pieces.of_vertex(v);
+      const double less = lost_by_fewer[piece], more = lost[piece];
+      const double part = less <= kMostLost && more > less ? (kMostLost - less) / (more - less) : 0;
+      points[v] = fewer[v] + float(part) * (points[v] - fewer[v]);
+    }
+    for (std::size_t piece = 0; piece < beyond.size(); ++piece)
+      beyond[piece] = beyond[piece] && !(lost_by_fewer[piece] <= kMostLost);
+    lost = lost_by_fewer;
+  }
+}
+
 }  // namespace
 
 void smooth_mesh(Mesh& mesh, std::span<const float> bulk, int iterations) {
   if (iterations == 0)
     return;
   const std::size_t n = mesh.vertices.size();
-  const Neighbours neighbours(mesh);
-  std::vector<float> share(n);
-  std::vector<Lanes> once(n);
-  for (std::size_t v = 0; v < n; ++v) {
-    share[v] = smoothing_weight(bulk[v]) / float(neighbours.begin[v + 1] - neighbours.begin[v]);
-    once[v] = to_lanes(mesh.vertices[v], mesh.normals[v]);
-  }
-  relax(neighbours, share, iterations, once);
-  std::vector<Lanes> twice = once;
-  relax(neighbours, share, iterations, twice);
+  std::vector<Lanes> original(n);
+  for (std::size_t v = 0; v < n; ++v)
+    original[v] = to_lanes(mesh.vertices[v], mesh.normals[v]);
+  std::vector<std::uint32_t> all(n);
+  std::iota(all.begin(), all.end(), 0u);
+  Filter filter(mesh, bulk);
+  std::vector<Lanes> points = original;
+  filter.smooth(all, iterations, points);
+  give_volume_back(mesh, filter, iterations, original, points);
 #pragma omp parallel for schedule(static)
   for (std::size_t v = 0; v < n; ++v) {
-    const Lanes p = 2.0f * once[v] - twice[v];
+    const Lanes& p = points[v];
     mesh.vertices[v] = {p[0], p[1], p[2]};
     const glm::vec3 normal(p[3], p[4], p[5]);
     const float length = glm::length(normal);

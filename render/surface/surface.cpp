@@ -28,7 +28,7 @@ void validate(float spacing, const SurfaceSettings& settings) {
   if (!(spacing > 0.0f) || !std::isfinite(spacing))
     throw std::invalid_argument(
         fmt::format("particle spacing is {} m; it must be positive and finite", spacing));
-  require_within("cell_size", settings.cell_size, 0.1f, 2.0f);
+  require_within("cell_size", settings.cell_size, 0.1f, 1.0f);
   require_within("kernel_radius", settings.kernel_radius, 1.5f, 4.0f);
   require_within("iso_value", settings.iso_value, 0.2f, 0.8f);
   require_within("smoothing", settings.smoothing, 0, 100);

@@ -173,12 +173,12 @@ TEST_CASE("the hash of the same settings is the same however they are written") 
 
 TEST_CASE("a speed of sound that lets the liquid be compressed is warned of") {
   const auto warnings = [](const std::string& speed, const std::string& type = "sph") {
-    return scene_warnings(parse("{}", {"solver.type=" + type, "solver.speed_of_sound=" + speed}));
+    return warnings_of(parse("{}", {"solver.type=" + type, "solver.speed_of_sound=" + speed}));
   };
   const float fastest = std::sqrt(2 * 9.81f * 2);  // down the whole domain
   REQUIRE(warnings("0.01").size() == 1);
-  CHECK(warnings("0.01")[0].starts_with("solver.speed_of_sound: 0.01 m/s is less than ten times"));
-  CHECK(warnings("0.01")[0].find("from 62.6418 m/s on") != std::string::npos);
+  CHECK(warnings("0.01")[0].message.starts_with("0.01 m/s is less than ten times"));
+  CHECK(warnings("0.01")[0].message.find("from 62.6418 m/s on") != std::string::npos);
   CHECK(warnings(std::to_string(9.9f * fastest)).size() == 1);
   CHECK(warnings(std::to_string(10.1f * fastest)).empty());
   CHECK(warnings("0").empty());
@@ -293,6 +293,21 @@ TEST_CASE("the estimate counts particles exactly and grows with the scene") {
   Scene longer = scene;
   longer.video.duration *= 3.;
   CHECK(estimate(longer, 1).seconds > 2. * cost.seconds);
+}
+
+TEST_CASE("a nozzle in a wall that is too thin is refused with the thickness that works") {
+  const char* const text = R"({
+    "fluid": {"spacing": 0.05, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.3, 0.1, 1.2]}}],
+              "emitters": [{"disc": {"center": [0.6, 0.25, 0.6], "direction": [0, 1, 0],
+                                     "radius": 0.1}, "speed": 2.6}]},
+    "domain": {"min": [0, 0, 0], "max": [1.2, 0.5, 1.2], "open": ["+y"]},
+    "obstacles": [{"box": {"min": [0.45, 0, 0.45], "max": [0.75, 0.25, 0.75]}}]})";
+  CHECK_THROWS_WITH(parse(text), Catch::Contains("fluid.emitters[0].disc") &&
+                                     Catch::Contains("1.75 spacings (0.0875 m) are needed"));
+  CHECK_NOTHROW(parse(text, {"fluid.spacing=0.025"}));
+  CHECK_NOTHROW(parse(
+      text, {"obstacles.0.box.min=[0.425,0,0.425]", "obstacles.0.box.max=[0.775,0.25,0.775]"}));
+  CHECK_NOTHROW(parse(text, {"obstacles=[]"}));  // in the air
 }
 
 TEST_CASE("emitters alone fill an empty domain, and what they bring is counted beforehand") {

@@ -4,6 +4,7 @@
 
 #include "gl_support.hpp"
 #include "render/gl/egl_devices.hpp"
+#include "render/gl/egl_failure.hpp"
 
 using namespace spindrift;
 using namespace spindrift::gl;
@@ -45,6 +46,17 @@ float decode(float srgb) {
 }
 
 }  // namespace
+
+TEST_CASE("variables that steer EGL and Mesa are found, those that only tell more are not") {
+  const char* const environment[] = {"HOME=/",
+                                     "MESA_GL_VERSION_OVERRIDE=3.3",
+                                     "EGL_LOG_LEVEL=fatal",
+                                     "GALLIUM_DRIVER=none",
+                                     "MY_EGL_X=1",
+                                     nullptr};
+  CHECK(gl::steering_variables(environment) ==
+        std::vector<std::string>{"GALLIUM_DRIVER=none", "MESA_GL_VERSION_OVERRIDE=3.3"});
+}
 
 TEST_CASE("the driver says what it is") {
   const Renderer renderer(8, 8, {}, {}, {});

@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "output_support.hpp"
+#include "png_support.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
+#include "render/shortage.hpp"
 
 using namespace spindrift;
 using namespace spindrift::output_test;
@@ -158,8 +160,8 @@ TEST_CASE("A picture without pixels or with too few is rejected") {
 TEST_CASE("A PNG that cannot be read is an error with its name") {
   const TemporaryFolder folder;
   REQUIRE_THROWS_WITH(output::read_png(folder / "none.png"),
-                      Contains("none.png") && Contains("No such file"));
-  REQUIRE_THROWS_WITH(output::read_png(folder / ""), Contains("Is a directory"));
+                      Contains("none.png") && Contains("no such file"));
+  REQUIRE_THROWS_WITH(output::read_png(folder / ""), Contains("is a folder"));
   output::write_file(folder / "text.png", "not a picture");
   REQUIRE_THROWS_WITH(output::read_png(folder / "text.png"), Contains("text.png"));
   output::write_file(folder / "empty.png", "");
@@ -167,4 +169,55 @@ TEST_CASE("A PNG that cannot be read is an error with its name") {
   output::write_png(folder / "cut.png", noise(64, 64, 1));
   std::filesystem::resize_file(folder / "cut.png", 500);
   REQUIRE_THROWS_WITH(output::read_png(folder / "cut.png"), Contains("cut.png"));
+}
+
+TEST_CASE("A PNG of any kind is read as it is, or refused where 8-bit RGB cannot hold it") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& png) {
+    output::write_file(folder / "a.png", png);
+    return output::read_png(folder / "a.png").pixels;
+  };
+  using Samples = std::vector<std::uint8_t>;
+  const std::string rgb = "\1\2\3\4\5\6";
+  CHECK(read(one_row_png(PngColour::rgb, 8, 2, rgb)) == Samples{1, 2, 3, 4, 5, 6});
+  CHECK(read(one_row_png(PngColour::grey, 8, 2, "\x07\x80")) == Samples{7, 7, 7, 128, 128, 128});
+  CHECK(read(one_row_png(PngColour::grey, 1, 2, "\x40")) == Samples{0, 0, 0, 255, 255, 255});
+  CHECK(read(one_row_png(PngColour::palette, 8, 2, std::string("\1\0", 2),
+                         png_chunk("PLTE", rgb))) == Samples{4, 5, 6, 1, 2, 3});
+  CHECK(read(one_row_png(PngColour::rgb_alpha, 8, 1, "\1\2\3\xff")) == Samples{1, 2, 3});
+  CHECK(read(one_row_png(PngColour::grey_alpha, 8, 1, "\x09\xff")) == Samples{9, 9, 9});
+  CHECK(read(one_row_png(PngColour::rgb, 16, 1, "\1\1\2\2\xff\xff")) == Samples{1, 2, 255});
+
+  const auto refused = [&](const std::string& png, const char* why) {
+    CHECK_THROWS_WITH(read(png), Contains("a.png") && Contains(why));
+  };
+  refused(one_row_png(PngColour::rgb_alpha, 8, 1, "\1\2\3\xfe"), "transparent");
+  refused(one_row_png(PngColour::grey_alpha, 8, 1, std::string("\x09\0", 2)), "transparent");
+  refused(one_row_png(PngColour::palette, 8, 1, "\1",
+                      png_chunk("PLTE", rgb) + png_chunk("tRNS", "\xff\x80")),
+          "transparent");
+  refused(one_row_png(PngColour::rgb, 8, 1, "\1\2\3",
+                      png_chunk("tRNS", std::string("\0\1\0\2\0\3", 6))),
+          "transparent");
+  refused(one_row_png(PngColour::rgb, 16, 1, "\1\1\2\3\xff\xff"), "16-bit");
+  refused(one_row_png(PngColour::grey, 16, 1, "\1\2"), "16-bit");
+  refused(one_row_png(PngColour::rgb, 8, 1, "\1\2\3",
+                      png_chunk("acTL", std::string("\0\0\0\2\0\0\0\0", 8))),
+          "animated");
+}
+
+TEST_CASE("What the system gives too little of is told with the limit") {
+  CHECK(shortage() == std::nullopt);
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_NOFILE, &before) == 0);
+  rlimit none = before;
+  none.rlim_cur = 0;
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+  const auto found = shortage();
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &before) == 0);
+  REQUIRE(found);
+  CHECK_THAT(*found, Contains("open no file more; the limit is 0 files (ulimit -n)"));
+  const auto too_much = shortage(std::size_t{1} << 62);
+  REQUIRE(too_much);
+  CHECK_THAT(*too_much, Contains("MiB of memory more"));
 }
