@@ -194,6 +194,9 @@ class Checker {
   void check_place(const sim::Shape& shape, const std::string& path) {
     const auto& domain = scene_.simulation.domain;
     const sim::Box bounds = sim::bounds_of(shape);
+    if (!glm::all(glm::lessThan(domain.min, domain.max))) {
+      return;  // nothing is inside; that has been told
+    }
     const float tolerance = 0.501f * scene_.simulation.fluid.spacing;
     if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
         glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
