@@ -37,9 +37,6 @@ class Executor {
  public:
   using Index = std::uint32_t;
 
-  /// Loops throw Stopped once this becomes true; but for copies, which are of what is finished.
-  void set_stop(Stop stop) { stop_ = stop; }
-
   /// f(i) for i in [0, n). `name` is the phase in the profile, a string literal; a phase's time is
   /// that until the processor goes on.
   template <class F>
@@ -108,6 +105,10 @@ class Executor {
 
   /// Until the processor may look at the particles.
   void wait() const { device::wait(); }
+
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
+  void obey(Stop stop) { stop_ = stop; }
 
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }

@@ -58,9 +58,6 @@ class Executor {
   using Index = std::uint32_t;
   static constexpr Index block_size = 512;  ///< particles per task and per partial sum
 
-  /// Loops throw Stopped once this becomes true; but for copies, which are of what is finished.
-  void set_stop(Stop stop) { stop_ = stop; }
-
   /// f(i) for i in [0, n). `name` is the phase in the profile; a string literal.
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
@@ -144,6 +141,12 @@ class Executor {
 
   std::size_t memory_bytes() const {
     return 0;
+  }
+
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
+  void obey(Stop stop) {
+    stop_ = stop;
   }
 
   PhaseClock& clock() {

@@ -17,6 +17,7 @@
 #include "output_support.hpp"
 #include "render/output/output.hpp"
 #include "sim/shapes.hpp"
+#include "sim/shapes/measures.hpp"
 
 using namespace spindrift;
 using namespace spindrift::app;
@@ -210,12 +211,14 @@ TEST_CASE("a mesh with an inner shell is hollow whichever way that is turned, an
     const sim::Shape& shape = scene.simulation.obstacles[0].shape;
     CHECK(sim::is_inside(shape, glm::vec3(0.05f)));
     CHECK_FALSE(sim::is_inside(shape, glm::vec3(0.5f)));
-    CHECK(mesh_notes(scene) ==
-          std::vector<std::string>{"obstacles[0].mesh: tank.obj has 1 inner shell: what is within "
-                                   "it is hollow, whichever way triangles face"});
+    const std::vector<Complaint> warnings = mesh_warnings(scene);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].path == "obstacles[0].mesh");
+    CHECK(warnings[0].message ==
+          "tank.obj has 1 inner shell: what is within it is hollow, whichever way triangles face");
   }
   write_text(folder / "box.obj", obj_text(box_mesh({2, 0, 0}, {3, 1, 0.8f})));
-  CHECK(mesh_notes(scene_with(folder, "box.obj")).empty());
+  CHECK(mesh_warnings(scene_with(folder, "box.obj")).empty());
 }
 
 TEST_CASE("boxes that touch at an edge are closed") {
@@ -266,7 +269,7 @@ TEST_CASE("bad mesh files are refused with their place, the reason and what to d
   says("empty.ply", {"empty.ply: is not a PLY"});
   says("words.obj", {"words.obj: has no triangles"});
   says("short.ply", {"short.ply: line", "is cut short"});
-  says("nan.ply", {"nan.ply: line 14: nan is not a coordinate"});
+  says("nan.ply", {"nan.ply: line 13: nan is not a coordinate"});
   says("flat.obj", {"encloses no volume"});
   says("folder.obj", {"folder.obj: is a folder, not a file"});
   says("bunny.obj", {"500 m wide; accepted: 0.05 ... 32 m", "scale"}, R"(, "scale": 500)");
@@ -329,8 +332,8 @@ TEST_CASE("a mesh fills with liquid like the shape that it stands for") {
   CHECK(static_cast<double>(mesh.particles) ==
         Approx(static_cast<double>(sphere.particles)).epsilon(0.04));
   const sim::Shape ball = solid(ball_mesh({1, 1, 1}, 0.4f, 4), 0.05f);
-  CHECK(shape_volume(ball) == Approx(shape_volume(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
-  CHECK(shape_area(ball) == Approx(shape_area(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
+  CHECK(sim::volume_of(ball) == Approx(sim::volume_of(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
+  CHECK(sim::area_of(ball) == Approx(sim::area_of(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
 }
 
 TEST_CASE("a drawn mesh is smooth where it is round and sharp at its edges") {
