@@ -4,6 +4,7 @@
 #include "app/disk_estimate.hpp"
 #include "app/estimate.hpp"
 #include "app/machine_limits.hpp"
+#include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -25,7 +26,12 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   const Estimate cost = estimate(scene, threads);
   const DiskEstimate disk = disk_estimate(scene, {}, cost);
   const nlohmann::ordered_json resolved = to_json(scene);
+  const std::vector<Complaint> warnings = warnings_of(scene);
   if (json) {
+    nlohmann::ordered_json told = nlohmann::ordered_json::array();
+    for (const Complaint& warning : warnings) {
+      told.push_back({{"path", warning.path}, {"message", warning.message}});
+    }
     const nlohmann::ordered_json report{
         {"scene", resolved},
         {"simulation_hash", simulation_hash(scene)},
@@ -36,7 +42,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
         {"disk_bytes_about",
          {{"particles", disk.particles}, {"pictures", disk.pictures}, {"video", disk.video}}},
         {"seconds_about", cost.seconds},
-        {"threads", threads}};
+        {"threads", threads},
+        {"warnings", told}};
     fmt::print("{}\n", report.dump(2));
     return done;
   }
@@ -53,6 +60,9 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              bytes_text(disk.video));
   fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
              threads == 1 ? "" : "s");
+  for (const Complaint& warning : warnings) {
+    fmt::print("warning     {}: {}\n", warning.path, warning.message);
+  }
   return done;
 }
 

@@ -18,6 +18,7 @@
 #include "app/machine_limits.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_fields.hpp"
+#include "app/scene_warnings.hpp"
 #include "app/sweep_options.hpp"
 
 namespace spindrift::app {
@@ -227,6 +228,9 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   options.quiet = typed.quiet;
   options.json = typed.json;
   options.command_line_hint = hint;
+  if (!typed.quiet && !options.from_particles) {
+    print_warnings(scene);
+  }
   return run_render(scene, options);
 }
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "app/estimate.hpp"
 #include "app/interrupt.hpp"
 #include "app/scene_values.hpp"
-#include "sim/initial.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -53,7 +53,7 @@ ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
   }
   if (options.cache)
     cache_.emplace(options.output / "particles" / simulation_hash(scene), simulation_hash(scene));
-  particle_count_ = sim::fill_volumes(scene.simulation).positions.size();
+  particle_count_ = count_particles(scene.simulation);
 }
 
 ParticleSource::~ParticleSource() = default;
@@ -95,15 +95,23 @@ KeptFrame ParticleSource::keep(int number, ComingFrame coming) const {
   return frame;
 }
 
+/// Whether Ctrl-C has let it.
+bool ParticleSource::start_simulation(int number) {
+  const sim::Stop stop = &InterruptGuard::requested();
+  try {
+    simulation_ = number == 0 ? std::make_unique<sim::Simulation>(scene_.simulation, stop)
+                              : std::make_unique<sim::Simulation>(scene_.simulation, last_, stop);
+  } catch (const sim::Stopped&) {
+    return false;
+  }
+  last_ = {};
+  return true;
+}
+
 /// Nothing after Ctrl-C.
 std::optional<ComingFrame> ParticleSource::simulate(int number) {
-  if (!simulation_) {
-    if (number == 0)
-      simulation_ = std::make_unique<sim::Simulation>(scene_.simulation);
-    else
-      simulation_ = std::make_unique<sim::Simulation>(scene_.simulation, last_);
-    last_ = {};
-  }
+  if (!simulation_ && !start_simulation(number))
+    return std::nullopt;
   const double time = time_of(number);
   std::vector<double> readings{time};
   if (!scene_.probes.empty() && scene_.probes_rate > 0)

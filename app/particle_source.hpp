@@ -44,6 +44,7 @@ class ParticleSource {
  private:
   ComingFrame kept(int number, KeptFrame frame);
   SimulationRecord record() const;
+  bool start_simulation(int number);
   std::optional<ComingFrame> simulate(int number);
   void keep_readings(int number, std::size_t first) const;
   bool add_kept_readings(int number);

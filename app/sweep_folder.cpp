@@ -53,11 +53,13 @@ bool SweepFolder::is_simulated(const SweepRun& run) const {
 
 bool SweepFolder::is_drawn(const SweepRun& run) const {
   const Json report = json_in(this->run(run) / "run.json");
-  return report.is_object() && report.value("complete", false) &&
-         report.value("simulation_hash", "") == simulation_hash(run.scene) &&
-         report.value("/versions/spindrift"_json_pointer, "") == SPINDRIFT_VERSION &&
-         report.contains("scene") && report.at("scene") == to_json(run.scene) &&
-         fs::exists(this->run(run) / "video.mp4");
+  const auto has = [&](const Json& in, const char* key, const Json& value) {
+    return in.is_object() && in.value(key, Json()) == value;
+  };
+  return has(report, "complete", true) &&
+         has(report, "simulation_hash", simulation_hash(run.scene)) &&
+         has(report.value("versions", Json()), "spindrift", SPINDRIFT_VERSION) &&
+         has(report, "scene", to_json(run.scene)) && fs::exists(this->run(run) / "video.mp4");
 }
 
 bool SweepFolder::is_compared(const SweepPlan& plan, const SweepPair& pair) const {

@@ -73,11 +73,11 @@ struct Run final : Engine {
   Outflow outflow;
   Exchange exchange;  ///< since the last frame
 
-  Run(const Settings& s, const InitialParticles& initial)
+  Run(const Settings& s, const InitialParticles& initial, Stop stop)
       : settings(s),
         constants(constants_of(s.fluid)),
         map(grid_over(s, list_radius_factor * constants.support_radius)),
-        walls(s, map, constants.support_radius),
+        walls(s, map, constants.support_radius, stop),
         neighbourhood(map, walls.boundary()),
         solver(make_solver(initial)),
         time_step(s.solver, constants,
@@ -92,6 +92,7 @@ struct Run final : Engine {
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
           "emitter");
+    executor.obey(stop);
     executor.check_room(initial.positions.size(), constants.spacing);
     set_particles(executor, particles, initial);
     max_speed = largest_speed(executor, particles);
@@ -312,8 +313,18 @@ struct Run final : Engine {
     statistics.potential_energy = m.potential_energy;
   }
 
-  FrameStatistics advance_to(double end, const std::atomic<bool>* stop) override {
+  FrameStatistics advance_to(double end, Stop stop) override {
     FrameStatistics statistics;
+    executor.obey(stop);
+    try {
+      advance(end, statistics);
+    } catch (const Stopped&) {
+    }
+    executor.obey(nullptr);
+    return statistics;
+  }
+
+  void advance(double end, FrameStatistics& statistics) {
     if (time_step.last() == 0) {
       settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
              walls.contact(), list_radius_factor * constants.support_radius);
@@ -327,8 +338,6 @@ struct Run final : Engine {
       summed_time = 0;
     }
     while (end - time > tiny(end)) {
-      if (stop != nullptr && *stop)
-        return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
       const double goal = inflow.next_begin(time, end);
       const double wanted =
@@ -347,7 +356,6 @@ struct Run final : Engine {
     measure(statistics);
     note_leftover(particles.drifted_position);
     statistics.exchange = std::exchange(exchange, {});
-    return statistics;
   }
 
   void go_on_from(const Frame& start) {
@@ -392,15 +400,17 @@ struct Run final : Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_engine(const Settings& settings) {
-  auto run = std::make_unique<Run>(settings, fill_volumes(settings));
+std::unique_ptr<Engine> make_engine(const Settings& settings, Stop stop) {
+  auto run = std::make_unique<Run>(as_filled(settings), fill_volumes(settings, stop), stop);
   run->exchange_particles();
+  run->executor.obey(nullptr);
   return run;
 }
 
-std::unique_ptr<Engine> make_engine(const Settings& settings, const Frame& start) {
-  auto run = std::make_unique<Run>(settings, fill_volumes(settings));
+std::unique_ptr<Engine> make_engine(const Settings& settings, const Frame& start, Stop stop) {
+  auto run = std::make_unique<Run>(as_filled(settings), fill_volumes(settings, stop), stop);
   run->go_on_from(start);
+  run->executor.obey(nullptr);
   return run;
 }
 

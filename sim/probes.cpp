@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/initial.hpp"
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 
@@ -189,7 +190,8 @@ std::vector<ProbeColumn> probe_columns(const Probe& probe) {
 }
 
 std::vector<double> measure(const Probe& probe, const Frame& frame, const Settings& settings) {
-  return std::visit([&](const auto& quantity) { return values_of(quantity, frame, settings); },
+  const Settings filled = as_filled(settings);
+  return std::visit([&](const auto& quantity) { return values_of(quantity, frame, filled); },
                     probe.quantity);
 }
 

@@ -9,11 +9,11 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-Walls::Walls(const Settings& settings, const GridMap& map, float radius)
+Walls::Walls(const Settings& settings, const GridMap& map, float radius, Stop stop)
     : fixed_(without_moving(settings)),
-      boundary_(fixed_, map, radius),
+      boundary_(fixed_, map, radius, stop),
       moving_(any_moves(settings.obstacles)
-                  ? std::make_unique<MovingBodies>(settings, map, boundary_, meshes_)
+                  ? std::make_unique<MovingBodies>(settings, map, boundary_, meshes_, stop)
                   : nullptr) {
   put(solids_, solids_of(fixed_.obstacles, meshes_));
 }

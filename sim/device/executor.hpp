@@ -10,6 +10,7 @@
 #include "sim/device/loops.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim::inline device {
 
@@ -40,6 +41,7 @@ class Executor {
   /// that until the processor goes on.
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     launch(n, f);
   }
@@ -48,6 +50,7 @@ class Executor {
   /// only. T needs `void join(const T&)`.
   template <class T, class F>
   T reduce(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     if (n == 0)
       return {};
@@ -101,6 +104,9 @@ class Executor {
   /// Until the processor may look at the particles.
   void wait() const { device::wait(); }
 
+  /// From now on loops are not begun once `stop` is true. @throws Stopped out of those
+  void obey(Stop stop) { stop_ = stop; }
+
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }
   std::size_t memory_bytes() const {
@@ -110,6 +116,7 @@ class Executor {
   }
 
  private:
+  Stop stop_ = nullptr;
   PhaseClock clock_;
   Scratch scratch_;
   CopyRooms copies_;

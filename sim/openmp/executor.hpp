@@ -14,6 +14,7 @@
 #include "sim/openmp/arrays.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim::inline openmp {
 
@@ -60,6 +61,7 @@ class Executor {
   /// f(i) for i in [0, n). `name` is the phase in the profile; a string literal.
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     const std::int64_t blocks = block_count(n);
 #pragma omp parallel for schedule(dynamic, 1)
@@ -75,6 +77,7 @@ class Executor {
   /// floating-point sum does not depend on the threads. T needs `void join(const T&)`.
   template <class T, class F>
   T reduce(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     const std::int64_t blocks = block_count(n);
     std::vector<T> partial(static_cast<std::size_t>(blocks));
@@ -138,6 +141,11 @@ class Executor {
     return 0;
   }
 
+  /// From now on loops are not begun once `stop` is true. @throws Stopped out of those
+  void obey(Stop stop) {
+    stop_ = stop;
+  }
+
   PhaseClock& clock() {
     return clock_;
   }
@@ -146,6 +154,7 @@ class Executor {
   }
 
  private:
+  Stop stop_ = nullptr;
   static std::int64_t block_count(Index n) {
     return (n + block_size - 1) / block_size;
   }

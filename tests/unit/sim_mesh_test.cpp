@@ -9,6 +9,7 @@
 #include "mesh_support.hpp"
 #include "sample_support.hpp"
 #include "sim/contact.hpp"
+#include "sim/fill.hpp"
 #include "sim/shapes.hpp"
 
 using namespace spindrift::sim;

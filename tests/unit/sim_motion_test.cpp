@@ -133,7 +133,7 @@ TEST_CASE("steps are short enough for the walls' speed, at the start of a move t
   s.obstacles[0].motion->keyframes = {{.time = 0.1f, .translate = {0, 0, 0}, .rotate = {}},
                                       {.time = 0.2f, .translate = {5, 0, 0}, .rotate = {}}};
   const GridMap map = GridMap::over({0, 0, 0}, {10, 1, 1}, 0.21f);
-  Boundary boundary(without_moving(s), map, 0.2f);
+  Boundary boundary(without_moving(s), map, 0.2f, nullptr);
   Meshes meshes;
   const MovingBodies moving(s, map, boundary, meshes);
   CHECK(moving.step_within(0.1, 0, 0.05) == 0.05);
@@ -146,7 +146,7 @@ TEST_CASE("steps are short enough for the walls' speed, at the start of a move t
 TEST_CASE("samples go with their body; of two layers at one place one stays") {
   Settings s = plate(0.5f, 1);  // flush with the wall at the start
   const GridMap map = GridMap::over({-0.1f, -0.1f, -0.1f}, {10.1f, 1.1f, 1.1f}, 0.21f);
-  Boundary boundary(without_moving(s), map, 0.2f);
+  Boundary boundary(without_moving(s), map, 0.2f, nullptr);
   const std::uint32_t walls = boundary.count();
   const auto near_wall = [&] {  // samples in front of x = 0 or on the wall's layer, mid-height
     int count = 0;
