@@ -269,7 +269,7 @@ TEST_CASE("bad mesh files are refused with their place, the reason and what to d
   says("empty.ply", {"empty.ply: is not a PLY"});
   says("words.obj", {"words.obj: has no triangles"});
   says("short.ply", {"short.ply: line", "is cut short"});
-  says("nan.ply", {"nan.ply: line 14: nan is not a coordinate"});
+  says("nan.ply", {"nan.ply: line 13: nan is not a coordinate"});
   says("flat.obj", {"encloses no volume"});
   says("folder.obj", {"folder.obj: is a folder, not a file"});
   says("bunny.obj", {"500 m wide; accepted: 0.05 ... 32 m", "scale"}, R"(, "scale": 500)");
