@@ -292,10 +292,11 @@ std::size_t inner_shells(const sim::TriangleSurface& closed) {
 }
 
 sim::TriangleSurface closed_surface(const sim::TriangleSurface& triangles) {
-  TriangleSurface surface = without_doubles(joined(triangles));
+  TriangleSurface surface = joined(triangles);
   if (surface.triangles.empty()) {
     throw MeshError("has no triangles");
   }
+  surface = without_doubles(surface);
   std::vector<Side> sides = sides_of(surface);
   check_edges(surface, sides);
   const auto parts = turned_parts(surface, neighbours_of(surface, sides));

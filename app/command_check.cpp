@@ -4,7 +4,6 @@
 #include "app/disk_estimate.hpp"
 #include "app/estimate.hpp"
 #include "app/machine_limits.hpp"
-#include "app/scene_meshes.hpp"
 #include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
@@ -44,8 +43,7 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
          {{"particles", disk.particles}, {"pictures", disk.pictures}, {"video", disk.video}}},
         {"seconds_about", cost.seconds},
         {"threads", threads},
-        {"warnings", told},
-        {"notes", mesh_notes(scene)}};
+        {"warnings", told}};
     fmt::print("{}\n", report.dump(2));
     return done;
   }
@@ -64,9 +62,6 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              threads == 1 ? "" : "s");
   for (const Complaint& warning : warnings) {
     fmt::print("warning     {}: {}\n", warning.path, warning.message);
-  }
-  for (const std::string& note : mesh_notes(scene)) {
-    fmt::print("note        {}\n", note);
   }
   return done;
 }

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 #include "app/commands.hpp"
 #include "app/comparison.hpp"
+#include "app/json_file.hpp"
 #include "app/picture_source.hpp"
 #include "app/scene_document.hpp"
 #include "app/threads.hpp"
@@ -39,8 +39,7 @@ void list_differences(const Json& a, const Json& b, const std::string& path,
 
 /// The resolved scene of a folder that `render` made; null where it isn't one.
 Json scene_of_run(const fs::path& folder) {
-  std::ifstream in(folder / "run.json");
-  const Json run = Json::parse(in, nullptr, false);
+  const Json run = json_in(folder / "run.json");
   return run.is_object() ? run.value("scene", Json()) : Json();
 }
 

@@ -91,7 +91,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-std::string shown(std::string_view word) {
+std::string shown_word(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string text(word.substr(0, longest));
   std::replace_if(

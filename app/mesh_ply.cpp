@@ -18,10 +18,10 @@
 namespace spindrift::app {
 namespace {
 
-enum class Encoding { text, little_endian, big_endian };
+enum class PlyEncoding { text, little_endian, big_endian };
 
 /// A kind of number: its names, how it is written in binary, and what it can be.
-struct Type {
+struct PlyType {
   std::string_view name, other_name;
   std::size_t bytes;
   bool whole, negative;
@@ -30,48 +30,48 @@ struct Type {
   double max() const { return std::exp2(8. * double(bytes) - (negative ? 1. : 0.)) - 1.; }
   double min() const { return negative ? -max() - 1. : 0.; }
 };
-constexpr std::array<Type, 8> types{{{"char", "int8", 1, true, true},
-                                     {"uchar", "uint8", 1, true, false},
-                                     {"short", "int16", 2, true, true},
-                                     {"ushort", "uint16", 2, true, false},
-                                     {"int", "int32", 4, true, true},
-                                     {"uint", "uint32", 4, true, false},
-                                     {"float", "float32", 4, false, true},
-                                     {"double", "float64", 8, false, true}}};
+constexpr std::array<PlyType, 8> ply_types{{{"char", "int8", 1, true, true},
+                                            {"uchar", "uint8", 1, true, false},
+                                            {"short", "int16", 2, true, true},
+                                            {"ushort", "uint16", 2, true, false},
+                                            {"int", "int32", 4, true, true},
+                                            {"uint", "uint32", 4, true, false},
+                                            {"float", "float32", 4, false, true},
+                                            {"double", "float64", 8, false, true}}};
 
-struct Property {
+struct PlyProperty {
   std::string_view name;
-  const Type* type;
-  const Type* count;  ///< of a list's entries; none: a single number
+  const PlyType* type;
+  const PlyType* count;  ///< of a list's entries; none: a single number
 };
 
-struct Element {
+struct PlyElement {
   std::string_view name;
   std::uint64_t count = 0;
-  std::vector<Property> properties = {};
+  std::vector<PlyProperty> properties = {};
 
   /// Bytes of each at the least.
-  std::size_t least_bytes(Encoding encoding) const {
+  std::size_t least_bytes(PlyEncoding encoding) const {
     std::size_t sum = 0;
-    for (const Property& p : properties) {
-      const Type& first = p.count ? *p.count : *p.type;
-      sum += encoding == Encoding::text ? 2 : first.bytes;  // a digit and a space
+    for (const PlyProperty& p : properties) {
+      const PlyType& first = p.count ? *p.count : *p.type;
+      sum += encoding == PlyEncoding::text ? 2 : first.bytes;  // a digit and a space
     }
     return sum;
   }
 };
 
-struct Header {
-  Encoding encoding = Encoding::text;
-  std::vector<Element> elements;
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::text;
+  std::vector<PlyElement> elements;
 };
 
 /// Reads the lines up to end_header and takes them off.
-class HeaderReader {
+class PlyHeaderReader {
  public:
-  explicit HeaderReader(std::string_view& bytes) : bytes_(bytes) {}
+  explicit PlyHeaderReader(std::string_view& bytes) : bytes_(bytes) {}
 
-  Header read() {
+  PlyHeader read() {
     if (std::string_view line = take_line(bytes_); take_word(line) != "ply") {
       throw MeshError("is not a PLY: its first line is not \"ply\"");
     }
@@ -105,7 +105,7 @@ class HeaderReader {
     } else if (keyword == "property") {
       read_property(rest);
     } else if (keyword != "comment" && keyword != "obj_info") {
-      fail(fmt::format("\"{}\" is not a line of a PLY's header", shown(keyword)));
+      fail(fmt::format("\"{}\" is not a line of a PLY's header", shown_word(keyword)));
     }
   }
 
@@ -118,9 +118,9 @@ class HeaderReader {
       fail(
           fmt::format("unknown format \"{} {}\"; accepted: ascii, binary_little_endian and "
                       "binary_big_endian 1.0",
-                      shown(name), shown(version)));
+                      shown_word(name), shown_word(version)));
     }
-    header_.encoding = static_cast<Encoding>(found - names.begin());
+    header_.encoding = static_cast<PlyEncoding>(found - names.begin());
     has_format_ = true;
   }
 
@@ -128,7 +128,7 @@ class HeaderReader {
     const std::string_view name = take_word(rest), count = take_word(rest);
     const auto number = number_of<std::uint64_t>(count);
     if (name.empty() || !number) {
-      fail(fmt::format("\"{}\" is not a number of elements", shown(count)));
+      fail(fmt::format("\"{}\" is not a number of elements", shown_word(count)));
     }
     header_.elements.push_back({name, *number});
   }
@@ -137,7 +137,7 @@ class HeaderReader {
     if (header_.elements.empty()) {
       fail("a property before the first element");
     }
-    Property property{};
+    PlyProperty property{};
     std::string_view word = take_word(rest);
     if (word == "list") {
       property.count = type(take_word(rest));
@@ -151,8 +151,8 @@ class HeaderReader {
     header_.elements.back().properties.push_back(property);
   }
 
-  const Type* type(std::string_view name) const {
-    for (const Type& type : types) {
+  const PlyType* type(std::string_view name) const {
+    for (const PlyType& type : ply_types) {
       if (name == type.name || name == type.other_name) {
         return &type;
       }
@@ -160,40 +160,40 @@ class HeaderReader {
     fail(
         fmt::format("unknown type \"{}\"; accepted: char, uchar, short, ushort, int, uint, float "
                     "and double",
-                    shown(name)));
+                    shown_word(name)));
   }
 
   std::string_view& bytes_;
-  Header header_;
+  PlyHeader header_;
   std::size_t line_ = 1;
   bool has_format_ = false;
 };
 
 /// What follows the header, number by number.
-class Body {
+class PlyBody {
  public:
   /// @param offset, line where it starts in the file, in bytes from 0 and in lines from 1
-  Body(std::string_view bytes, Encoding encoding, std::size_t offset, std::size_t line)
+  PlyBody(std::string_view bytes, PlyEncoding encoding, std::size_t offset, std::size_t line)
       : bytes_(bytes), rest_(bytes), encoding_(encoding), offset_(offset), line_(line) {}
 
   /// Whether there is room for so many things of at least so many bytes.
   bool has(std::uint64_t count, std::size_t least_bytes) const {
-    const std::size_t last_space = encoding_ == Encoding::text ? 1 : 0;
+    const std::size_t last_space = encoding_ == PlyEncoding::text ? 1 : 0;
     return least_bytes == 0 || count <= (rest_.size() + last_space) / least_bytes;
   }
 
-  double next(const Type& type) {
-    return encoding_ == Encoding::text ? next_in_text(type) : next_in_binary(type);
+  double next(const PlyType& type) {
+    return encoding_ == PlyEncoding::text ? next_in_text(type) : next_in_binary(type);
   }
 
   /// The length of a list, whose entries there is room for.
-  std::uint64_t next_length(const Property& list) {
+  std::uint64_t next_length(const PlyProperty& list) {
     const double length = next(*list.count);
     if (length < 0) {
       fail(fmt::format("a list of {} entries", length));
     }
     const auto count = static_cast<std::uint64_t>(length);
-    if (!has(count, encoding_ == Encoding::text ? 2 : list.type->bytes)) {
+    if (!has(count, encoding_ == PlyEncoding::text ? 2 : list.type->bytes)) {
       fail_short(fmt::format("a list of {} entries", count));
     }
     return count;
@@ -204,13 +204,13 @@ class Body {
   }
 
   [[noreturn]] void fail(const std::string& message) const {
-    const bool text = encoding_ == Encoding::text;
+    const bool text = encoding_ == PlyEncoding::text;
     throw MeshError(fmt::format("{} {}: {}", text ? "line" : "byte",
                                 text ? line_ : offset_ + bytes_.size() - rest_.size(), message));
   }
 
  private:
-  double next_in_text(const Type& type) {
+  double next_in_text(const PlyType& type) {
     constexpr std::string_view spaces = " \t\r\n\v\f";
     const std::size_t start = std::min(rest_.find_first_not_of(spaces), rest_.size());
     line_ += static_cast<std::size_t>(std::count(rest_.begin(), rest_.begin() + start, '\n'));
@@ -221,18 +221,18 @@ class Body {
     }
     const auto number = number_of<double>(word);
     if (!number) {
-      fail(fmt::format("\"{}\" is not a number", shown(word)));
+      fail(fmt::format("\"{}\" is not a number", shown_word(word)));
     }
     const bool fits = !type.whole || (*number >= type.min() && *number <= type.max() &&
                                       std::floor(*number) == *number);
     if (!fits) {
-      fail(fmt::format("{} is not of the type {}", shown(word), type.name));
+      fail(fmt::format("{} is not of the type {}", shown_word(word), type.name));
     }
     rest_.remove_prefix(word.size());
     return *number;
   }
 
-  double next_in_binary(const Type& type) {
+  double next_in_binary(const PlyType& type) {
     std::array<char, 8> bytes{};
     if (rest_.size() < type.bytes) {
       fail_short("a number");
@@ -240,14 +240,14 @@ class Body {
     std::copy_n(rest_.begin(), type.bytes, bytes.begin());
     rest_.remove_prefix(type.bytes);
     const bool little = std::endian::native == std::endian::little;
-    if ((encoding_ == Encoding::little_endian) != little) {
+    if ((encoding_ == PlyEncoding::little_endian) != little) {
       std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.bytes));
     }
     const auto as = [&]<class Number>(Number number) {
       std::memcpy(&number, bytes.data(), sizeof number);
       return static_cast<double>(number);
     };
-    switch (&type - types.data()) {
+    switch (&type - ply_types.data()) {
       case 0:
         return as(std::int8_t{});
       case 1:
@@ -268,24 +268,24 @@ class Body {
   }
 
   std::string_view bytes_, rest_;
-  Encoding encoding_;
+  PlyEncoding encoding_;
   std::size_t offset_, line_;
 };
 
 /// Reads the elements in their order.
-class SurfaceReader {
+class PlySurfaceReader {
  public:
-  SurfaceReader(Body body, Encoding encoding) : body_(body), encoding_(encoding) {}
+  PlySurfaceReader(PlyBody body, PlyEncoding encoding) : body_(body), encoding_(encoding) {}
 
-  sim::TriangleSurface read(const std::vector<Element>& elements) {
-    for (const Element& element : elements) {
+  sim::TriangleSurface read(const std::vector<PlyElement>& elements) {
+    for (const PlyElement& element : elements) {
       const std::size_t least = element.least_bytes(encoding_);
       if (element.count > 0 && least == 0) {
-        body_.fail(fmt::format("elements \"{}\" without a property", shown(element.name)));
+        body_.fail(fmt::format("elements \"{}\" without a property", shown_word(element.name)));
       }
       if (!body_.has(element.count, least)) {
         body_.fail_short(fmt::format("{} elements \"{}\" of at least {} each", element.count,
-                                     shown(element.name), least));
+                                     shown_word(element.name), least));
       }
       read(element);
     }
@@ -293,29 +293,29 @@ class SurfaceReader {
   }
 
  private:
-  void read(const Element& element) {
+  void read(const PlyElement& element) {
     if (element.name == "vertex") {
       read_vertices(element);
     } else if (element.name == "face") {
       read_faces(element);
     } else {
       for (std::uint64_t i = 0; i < element.count; ++i) {
-        for (const Property& property : element.properties) {
+        for (const PlyProperty& property : element.properties) {
           skip(property);
         }
       }
     }
   }
 
-  void skip(const Property& property) {
+  void skip(const PlyProperty& property) {
     for (std::uint64_t k = property.count ? body_.next_length(property) : 1; k > 0; --k) {
       body_.next(*property.type);
     }
   }
 
-  void read_vertices(const Element& element) {
+  void read_vertices(const PlyElement& element) {
     std::vector<int> axes;  // of each property; -1: none
-    for (const Property& p : element.properties) {
+    for (const PlyProperty& p : element.properties) {
       const bool is_axis = !p.count && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z';
       axes.push_back(is_axis ? p.name[0] - 'x' : -1);
     }
@@ -340,8 +340,8 @@ class SurfaceReader {
     }
   }
 
-  void read_faces(const Element& element) {
-    const auto is_face = [](const Property& p) {
+  void read_faces(const PlyElement& element) {
+    const auto is_face = [](const PlyProperty& p) {
       return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     const auto& properties = element.properties;
@@ -350,7 +350,7 @@ class SurfaceReader {
     }
     std::vector<std::uint32_t> corners;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      for (const Property& property : properties) {
+      for (const PlyProperty& property : properties) {
         if (!is_face(property)) {
           skip(property);
           continue;
@@ -361,7 +361,7 @@ class SurfaceReader {
     }
   }
 
-  void read_corners(const Property& property, std::uint64_t face,
+  void read_corners(const PlyProperty& property, std::uint64_t face,
                     std::vector<std::uint32_t>& corners) {
     corners.resize(body_.next_length(property));
     for (std::uint32_t& corner : corners) {
@@ -387,8 +387,8 @@ class SurfaceReader {
     }
   }
 
-  Body body_;
-  Encoding encoding_;
+  PlyBody body_;
+  PlyEncoding encoding_;
   sim::TriangleSurface surface_;
 };
 
@@ -396,10 +396,10 @@ class SurfaceReader {
 
 sim::TriangleSurface read_ply(std::string_view bytes) {
   const std::size_t size = bytes.size();
-  HeaderReader reader(bytes);
-  const Header header = reader.read();
-  const Body body(bytes, header.encoding, size - bytes.size(), reader.line() + 1);
-  return SurfaceReader(body, header.encoding).read(header.elements);
+  PlyHeaderReader reader(bytes);
+  const PlyHeader header = reader.read();
+  const PlyBody body(bytes, header.encoding, size - bytes.size(), reader.line() + 1);
+  return PlySurfaceReader(body, header.encoding).read(header.elements);
 }
 
 }  // namespace spindrift::app

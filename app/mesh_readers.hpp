@@ -36,7 +36,7 @@ std::string_view take_word(std::string_view& text);
 std::string_view take_line(std::string_view& text);
 
 /// A word of a file as it can stand in a message: short, and without control characters.
-std::string shown(std::string_view word);
+std::string shown_word(std::string_view word);
 
 /// A coordinate as meshes have it. @throws MeshError where it is not finite or beyond a float's
 /// range

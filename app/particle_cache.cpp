@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // They change whenever the layout of the file does.
-constexpr std::string_view frame_magic = "SPNDFRM5";
+constexpr std::string_view frame_magic = "SPNDFRM6";
 constexpr std::string_view readings_magic = "SPNDRDG1";
 
 /// Which frame of which simulation a file is of.
@@ -33,6 +33,7 @@ struct Header {
   std::uint64_t boundary_samples;
   double time;
   double last_time_step;
+  double allowed_time_step;
   sim::FrameStatistics statistics;
 };
 static_assert(std::is_trivially_copyable_v<Header>);
@@ -108,6 +109,7 @@ KeptFrame ParticleCache::read(int number) const {
   sim::Frame& frame = kept.frame;
   frame.time = header.time;
   frame.last_time_step = header.last_time_step;
+  frame.allowed_time_step = header.allowed_time_step;
   const std::uint64_t per_particle = 2 * sizeof(glm::vec3) + 4 * sizeof(float);
   const std::uint64_t size = in.remaining();
   if (header.particles > size || header.boundary_samples > size ||
@@ -136,6 +138,7 @@ void ParticleCache::write(int number, const KeptFrame& kept) const {
                       .boundary_samples = frame.boundary_pressures.size(),
                       .time = frame.time,
                       .last_time_step = frame.last_time_step,
+                      .allowed_time_step = frame.allowed_time_step,
                       .statistics = kept.statistics};
   out.write(std::as_bytes(std::span(&header, 1)));
   for_each_array(frame, [&](const auto& array) { out.write(std::as_bytes(std::span(array))); });

@@ -101,10 +101,10 @@ bool ParticleSource::start_simulation(int number) {
   try {
     simulation_ = number == 0 ? std::make_unique<sim::Simulation>(scene_.simulation, stop)
                               : std::make_unique<sim::Simulation>(scene_.simulation, last_, stop);
-    last_ = {};
   } catch (const sim::Stopped&) {
     return false;
   }
+  last_ = {};
   return true;
 }
 

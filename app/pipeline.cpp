@@ -20,6 +20,7 @@
 #include "app/threads.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
+#include "sim/sight.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -273,6 +274,7 @@ class Pipeline {
       KeptFrame kept = timed_keep(source, std::move(*coming));
       if (number < range.first)
         continue;
+      kept.frame = sim::in_sight(scene_.simulation, std::move(kept.frame));
       if (options_.simulate_only) {
         if (options_.export_particles) {
           fs::create_directories(options_.output / "particles_ply");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <numeric>
+#include <string_view>
 
 #include "app/progress.hpp"
 #include "app/scene_values.hpp"
@@ -36,6 +37,33 @@ sim::Exchange total_exchange(const RunRecord& record) {
   for (const auto& f : record.frames)
     sum += f.exchange;
   return sum;
+}
+
+/// What a run says of its own error where that is clearly beyond what was asked for.
+std::vector<std::string> warnings_of(const Scene& scene, double mean, double largest) {
+  constexpr double margin = 1.5;  // a step that is refused often is allowed more than was asked for
+  constexpr double most_of_sph = 0.03;  // three times what a tenth of the speed of sound makes
+  const sim::SolverSettings& solver = scene.simulation.solver;
+  std::vector<std::string> warnings;
+  if (solver.type == sim::SolverType::sph) {
+    if (mean > most_of_sph)
+      warnings.push_back(fmt::format(
+          "the liquid is compressed by {:.1f} % in the mean of the worst frame: "
+          "solver.speed_of_sound is too low for its speed and depth; ten times the fastest speed "
+          "keeps it near 1 %",
+          100 * mean));
+    return warnings;
+  }
+  const auto look = [&](std::string_view what, double found, std::string_view key, double asked) {
+    if (found > margin * asked)
+      warnings.push_back(
+          fmt::format("{} is {:.3g} % in the worst frame, beyond the {:.3g} % of {}: there the "
+                      "liquid has less room than it needs",
+                      what, 100 * found, 100 * asked, key));
+  };
+  look("the largest compression", largest, "solver.max_compression", solver.max_compression);
+  look("the mean compression", mean, "solver.mean_compression", solver.mean_compression);
+  return warnings;
 }
 
 nlohmann::ordered_json frames_json(const Scene& scene, const RunRecord& record) {
@@ -126,6 +154,8 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record,
         std::accumulate(frames.begin(), frames.end(), 0., [&](double most, const auto& frame) {
           return std::max(most, frame.at(key).template get<double>());
         });
+  json["warnings"] = warnings_of(scene, json["worst_mean_compression"].get<double>(),
+                                 json["worst_max_compression"].get<double>());
   if (!scene.probes.empty())
     json["probes"] = {{"table", "probes.csv"}, {"report", "probes.html"}};
   json["frames"] = std::move(frames);
@@ -149,9 +179,12 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
       "  {} steps, {:.2f} pressure iterations a step, {} steps repeated smaller\n", steps,
       static_cast<double>(iterations) / static_cast<double>(std::max<std::int64_t>(1, steps)),
       total(record.frames, &sim::FrameStatistics::rejected_steps));
+  const double mean = worst(record.frames, &sim::FrameStatistics::mean_compression),
+               largest = worst(record.frames, &sim::FrameStatistics::max_compression);
   fmt::print("  density error, worst frame: mean compression {:.3f} %, largest {:.2f} %\n",
-             100 * worst(record.frames, &sim::FrameStatistics::mean_compression),
-             100 * worst(record.frames, &sim::FrameStatistics::max_compression));
+             100 * mean, 100 * largest);
+  for (const std::string& warning : warnings_of(scene, mean, largest))
+    fmt::print("  warning: {}\n", warning);
   if (scene.simulation.exchanges_particles()) {
     const sim::Exchange e = total_exchange(record);
     fmt::print(

@@ -107,19 +107,20 @@ void load_meshes(Scene& scene, const SceneDocument& document, const std::filesys
                  [&](sim::Shape& shape, const std::string& path) { loader.load(shape, path); });
 }
 
-std::vector<std::string> mesh_notes(const Scene& scene) {
-  std::vector<std::string> notes;
+std::vector<Complaint> mesh_warnings(const Scene& scene) {
+  std::vector<Complaint> warnings;
   for_each_shape(scene, [&](const sim::Shape& shape, const std::string& path) {
     const auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
     const std::size_t shells = mesh ? inner_shells(mesh->body->surface()) : 0;
     if (shells > 0) {
-      notes.push_back(fmt::format(
-          "{}: {} has {} inner shell{}: what is within {} is hollow, whichever way triangles face",
-          child_path(path, "mesh"), mesh->file, shells, shells == 1 ? "" : "s",
-          shells == 1 ? "it" : "them"));
+      warnings.push_back(
+          {child_path(path, "mesh"),
+           fmt::format(
+               "{} has {} inner shell{}: what is within {} is hollow, whichever way triangles face",
+               mesh->file, shells, shells == 1 ? "" : "s", shells == 1 ? "it" : "them")});
     }
   });
-  return notes;
+  return warnings;
 }
 
 }  // namespace spindrift::app

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
+#include "app/exchange_checks.hpp"
 #include "app/scene.hpp"
 #include "app/scene_document.hpp"
 
@@ -15,7 +15,7 @@ namespace spindrift::app {
 /// @throws SceneError that names the value's place
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
 
-/// What is worth knowing of a scene's meshes, a sentence each: those that have cavities.
-std::vector<std::string> mesh_notes(const Scene& scene);
+/// The scene's meshes that have cavities, with the path of each.
+std::vector<Complaint> mesh_warnings(const Scene& scene);
 
 }  // namespace spindrift::app

@@ -6,6 +6,7 @@
 
 #include "app/estimate.hpp"
 #include "app/scene_document.hpp"
+#include "app/scene_meshes.hpp"
 #include "sim/fill.hpp"
 #include "sim/initial.hpp"
 #include "sim/motion.hpp"
@@ -146,7 +147,11 @@ class Warnings {
 }  // namespace
 
 std::vector<Complaint> warnings_of(const Scene& scene) {
-  return Warnings(scene).take();
+  std::vector<Complaint> found = mesh_warnings(scene);
+  for (Complaint& warning : Warnings(scene).take()) {
+    found.push_back(std::move(warning));
+  }
+  return found;
 }
 
 void print_warnings(const Scene& scene) {

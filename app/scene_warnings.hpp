@@ -8,8 +8,8 @@
 
 namespace spindrift::app {
 
-/// Liquid that has no place, in litres asked for and got, obstacles outside the domain, and
-/// emitters that bring nothing; each with the path of what is meant.
+/// Meshes with cavities, liquid that has no place, in litres asked for and got, obstacles outside
+/// the domain, and emitters that bring nothing; each with the path of what is meant.
 std::vector<Complaint> warnings_of(const Scene& scene);
 
 /// Prints them to standard error.

@@ -215,7 +215,7 @@ struct Run final : Engine {
         executor.reduce<Moved>("drift", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
           const Vec3<float> velocity = v[i] + dv;
           const Vec3<float> free = x[i] + step * velocity;
-          const Vec3<float> stopped = contact.resolve(x[i], free);
+          const Vec3<float> stopped = contact.resolve(x[i], free, Since::start);
           const Vec3<float> push = stopped - free;
           drifted_x.set(i, stopped);
           drifted_v.set(i, velocity + (1 / step) * push);
@@ -245,7 +245,8 @@ struct Run final : Engine {
           const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
           // If it was not alone before, it may be nearer; no velocity comes of it.
           if (step.alone(i))
-            corrected.set(i, step.contact.resolve_off_walls(corrected[i], step.rest_distance()));
+            corrected.set(i, step.contact.resolve_off_walls(corrected[i], corrected[i],
+                                                            step.rest_distance()));
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * drifted_x.value(i);
@@ -319,6 +320,7 @@ struct Run final : Engine {
     try {
       advance(end, statistics);
     } catch (const Stopped&) {
+      // Whoever asked for that knows.
     }
     executor.obey(nullptr);
     return statistics;
@@ -366,7 +368,7 @@ struct Run final : Engine {
     executor.wait();
     walls.set_pressures(start.boundary_pressures);
     time = start.time;
-    time_step.set_last(start.last_time_step);
+    time_step.resume(start.last_time_step, start.allowed_time_step);
     inflow.resume(executor, walls, start.time);
     measure_start();
   }
@@ -374,11 +376,12 @@ struct Run final : Engine {
   std::future<Frame> take_frame() override {
     auto copies = copy_particles(executor, particles, constants.rest_density);
     auto wall_pressures = walls.pressures(executor);
-    const auto put_together = [end = time, last = time_step.last()](auto of_particles,
-                                                                    auto of_walls) {
+    const auto put_together = [end = time, last = time_step.last(), allowed = time_step.allowed()](
+                                  auto of_particles, auto of_walls) {
       Frame frame;
       frame.time = end;
       frame.last_time_step = last;
+      frame.allowed_time_step = allowed;
       frame.boundary_pressures = of_walls.take();
       of_particles.put_into(frame);
       return frame;

@@ -15,7 +15,7 @@
 
 namespace spindrift::sim {
 
-/// Particle data at one instant, in the solver's order: with `last_time_step` all that is needed to
+/// Particle data at one instant, in the solver's order: with the time steps all that is needed to
 /// go on from here to the same bytes.
 struct Frame {
   double time = 0;                   ///< s
@@ -30,6 +30,7 @@ struct Frame {
                                    ///< lattice, then in the order of coming in
   std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa
   double last_time_step = 0;              ///< of the step that ended here, s; 0 at the start
+  double allowed_time_step = 0;           ///< what that could have been had it not to end here, s
 };
 
 /// What happened between two frames, and the error measured at the second one.

@@ -22,7 +22,8 @@ ContactView Walls::contact() const {
   const std::span<const PosedBody> bodies =
       moving_ ? std::span(moving_->bodies().data(), moving_->bodies().size()) : decltype(bodies){};
   return {from_glm(fixed_.domain.min), from_glm(fixed_.domain.max),
-          ObstacleView{solids_.data(), static_cast<std::uint32_t>(solids_.size()), bodies},
+          ObstacleView{solids_.data(), static_cast<std::uint32_t>(solids_.size()), bodies,
+                       fixed_.fluid.spacing},
           OpenFaces(fixed_.domain)};
 }
 

@@ -64,6 +64,7 @@ class Executor {
   /// The same, but what they join to stays where the loops are: use(*state, total) there.
   template <class T, class State, class F, class Use>
   void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     State* const to = state.place();
     join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { use(*to, total); });
@@ -72,6 +73,7 @@ class Executor {
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     flags_.renew(n);
     std::uint8_t* flags = flags_.data();
@@ -104,7 +106,8 @@ class Executor {
   /// Until the processor may look at the particles.
   void wait() const { device::wait(); }
 
-  /// From now on loops are not begun once `stop` is true. @throws Stopped out of those
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
   void obey(Stop stop) { stop_ = stop; }
 
   PhaseClock& clock() { return clock_; }
@@ -116,8 +119,8 @@ class Executor {
   }
 
  private:
-  Stop stop_ = nullptr;
   PhaseClock clock_;
+  Stop stop_ = nullptr;
   Scratch scratch_;
   CopyRooms copies_;
   Array<std::uint8_t> flags_;                                         ///< of select()
@@ -128,6 +131,7 @@ class Executor {
 template <class Place, class Value>
 void Executor::add_at_places(std::string_view name, Index n, float* sums, Index place_count,
                              Place place, Value value) {
+  throw_if_stopped(stop_);
   const PhaseClock::Scope timed(clock_, name);
   if (n == 0)
     return;

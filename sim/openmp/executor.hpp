@@ -105,6 +105,7 @@ class Executor {
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<Index>& chosen, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     chosen.clear();
     for (Index i = 0; i < n; ++i)
@@ -115,6 +116,7 @@ class Executor {
   /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
   template <class Place, class Value>
   void add_at_places(std::string_view name, Index n, float* sums, Index, Place place, Value value) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     for (Index k = 0; k < n; ++k)
       sums[place(k)] += value(k);
@@ -141,7 +143,8 @@ class Executor {
     return 0;
   }
 
-  /// From now on loops are not begun once `stop` is true. @throws Stopped out of those
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
   void obey(Stop stop) {
     stop_ = stop;
   }
@@ -154,11 +157,11 @@ class Executor {
   }
 
  private:
-  Stop stop_ = nullptr;
   static std::int64_t block_count(Index n) {
     return (n + block_size - 1) / block_size;
   }
   PhaseClock clock_;
+  Stop stop_ = nullptr;
 };
 
 }  // namespace spindrift::sim::inline openmp

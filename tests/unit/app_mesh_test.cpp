@@ -211,12 +211,14 @@ TEST_CASE("a mesh with an inner shell is hollow whichever way that is turned, an
     const sim::Shape& shape = scene.simulation.obstacles[0].shape;
     CHECK(sim::is_inside(shape, glm::vec3(0.05f)));
     CHECK_FALSE(sim::is_inside(shape, glm::vec3(0.5f)));
-    CHECK(mesh_notes(scene) ==
-          std::vector<std::string>{"obstacles[0].mesh: tank.obj has 1 inner shell: what is within "
-                                   "it is hollow, whichever way triangles face"});
+    const std::vector<Complaint> warnings = mesh_warnings(scene);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].path == "obstacles[0].mesh");
+    CHECK(warnings[0].message ==
+          "tank.obj has 1 inner shell: what is within it is hollow, whichever way triangles face");
   }
   write_text(folder / "box.obj", obj_text(box_mesh({2, 0, 0}, {3, 1, 0.8f})));
-  CHECK(mesh_notes(scene_with(folder, "box.obj")).empty());
+  CHECK(mesh_warnings(scene_with(folder, "box.obj")).empty());
 }
 
 TEST_CASE("boxes that touch at an edge are closed") {
@@ -267,7 +269,7 @@ TEST_CASE("bad mesh files are refused with their place, the reason and what to d
   says("empty.ply", {"empty.ply: is not a PLY"});
   says("words.obj", {"words.obj: has no triangles"});
   says("short.ply", {"short.ply: line", "is cut short"});
-  says("nan.ply", {"nan.ply: line 14: nan is not a coordinate"});
+  says("nan.ply", {"nan.ply: line 13: nan is not a coordinate"});
   says("flat.obj", {"encloses no volume"});
   says("folder.obj", {"folder.obj: is a folder, not a file"});
   says("bunny.obj", {"500 m wide; accepted: 0.05 ... 32 m", "scale"}, R"(, "scale": 500)");

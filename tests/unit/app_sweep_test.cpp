@@ -228,7 +228,7 @@ TEST_CASE("few runs are compared each with each, many with the reference alone")
 
 TEST_CASE("runs whose records or probes are damaged are done anew, or have no figures") {
   const TemporaryFolder root;
-  SweepPlan plan = plan_of({"fluid.viscosity=1"});
+  SweepPlan plan = plan_of({"fluid.viscosity=1,2"});
   const SweepRun& run = plan.runs.front();
   const SweepFolder folder(root / "");
   const auto place = folder.run(run);
@@ -262,7 +262,7 @@ TEST_CASE("runs whose records or probes are damaged are done anew, or have no fi
   plan.runs.front().scene.probes.emplace_back();
   damaged["scene"] = to_json(plan.runs.front().scene);
   write("run.json", damaged.dump());
-  const SweepResult result = read_results(plan, folder, {""}).front();
+  const SweepResult result = read_results(plan, folder, {"", ""}).front();
   CHECK(result.figures.at("steps") == 0);
   CHECK(result.figures.at("front_m") == 4);
 }
