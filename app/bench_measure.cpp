@@ -21,6 +21,7 @@
 #include "app/commands.hpp"
 #include "app/estimate.hpp"
 #include "app/process.hpp"
+#include "app/threads.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::app {
@@ -148,6 +149,7 @@ Measurement measure(const BenchRun& run) {
   const TimeLimit limit(run.limit_seconds);
   Measurement m;
   try {
+    require_threads(run.threads - 1);
     for (int k = 0; k < run.repetitions; ++k)
       simulate_once(run, m);
   } catch (const std::bad_alloc&) {

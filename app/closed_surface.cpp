@@ -4,9 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
+
+#include "app/shells.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -98,51 +105,136 @@ void check_edges(const TriangleSurface& surface, const std::vector<Side>& sides)
   }
 }
 
-/// For each triangle those across its edges, and whether both pass the edge in the same direction,
-/// so that one of them is turned over. Where more than two meet at an edge, none is across.
+/// Whether each edge has an even number of triangles.
+bool is_closed(const TriangleSurface& surface) {
+  bool closed = true;
+  for_each_edge(sides_of(surface), [&](std::size_t first, std::size_t last) {
+    closed = closed && (last - first) % 2 == 0;
+  });
+  return closed;
+}
+
+/// Triangles with the same corners count once where the surface is closed like that, as in a mesh
+/// that is there twice or has two sides drawn; else pairs of them cancel, as between two boxes that
+/// touch.
+TriangleSurface without_doubles(const TriangleSurface& surface) {
+  const auto key = [&](std::uint32_t i) {
+    glm::uvec3 t = surface.triangles[i];
+    std::sort(&t.x, &t.x + 3);
+    return std::tuple(t.x, t.y, t.z);
+  };
+  std::vector<std::uint32_t> order(surface.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return key(i) < key(j); });
+  std::vector<char> once(order.size(), 0), odd(order.size(), 0);
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && key(order[last]) == key(order[first])) {
+      ++last;
+    }
+    once[order[first]] = 1;
+    odd[order[first]] = (last - first) % 2 != 0;
+  }
+  if (once == odd && std::count(once.begin(), once.end(), 0) == 0) {
+    return surface;
+  }
+  const auto chosen = [&](const std::vector<char>& wanted) {
+    TriangleSurface some{surface.vertices, {}};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i]) {
+        some.triangles.push_back(surface.triangles[i]);
+      }
+    }
+    return some;
+  };
+  TriangleSurface single = chosen(once);
+  return is_closed(single) ? single : chosen(odd);
+}
+
+/// The triangle across a side of another, and whether both pass their edge in the same direction,
+/// so that one of them is turned over.
 struct Neighbour {
   std::uint32_t triangle;
   bool turned;
 };
+using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
-std::vector<std::vector<Neighbour>> neighbours_of(std::size_t count,
-                                                  const std::vector<Side>& sides) {
-  std::vector<std::vector<Neighbour>> neighbours(count);
+/// Sorts the sides of an edge by the way that their triangles lie around it.
+void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
+  const auto place = [&](std::uint32_t vertex) { return glm::dvec3(surface.vertices[vertex]); };
+  const glm::dvec3 low = place(sides[0].low), axis = glm::normalize(place(sides[0].high) - low);
+  const auto away = [&](const Side& side) {  // from the edge to the third corner
+    const glm::uvec3& t = surface.triangles[side.triangle];
+    const glm::dvec3 to = place(t.x ^ t.y ^ t.z ^ side.low ^ side.high) - low;
+    return to - glm::dot(to, axis) * axis;
+  };
+  glm::dvec3 start(0.);  // the longest, so that it has a direction
+  for (const Side& side : sides) {
+    const glm::dvec3 way = away(side);
+    start = glm::length(way) > glm::length(start) ? way : start;
+  }
+  const glm::dvec3 across = glm::cross(axis, start);
+  const auto angle = [&](const Side& side) {
+    const glm::dvec3 way = away(side);
+    return std::atan2(glm::dot(across, way), glm::dot(start, way));
+  };
+  std::vector<std::pair<double, Side>> sorted;
+  for (const Side& side : sides) {
+    sorted.emplace_back(angle(side), side);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::transform(sorted.begin(), sorted.end(), sides.begin(),
+                 [](const auto& entry) { return entry.second; });
+}
+
+/// Those across each triangle's sides. Where more than two meet at an edge, they are neighbours by
+/// twos around it, so that no sheet passes through another.
+Neighbours neighbours_of(const TriangleSurface& surface, std::vector<Side>& sides) {
+  Neighbours neighbours(surface.triangles.size());
+  std::vector<unsigned char> known(surface.triangles.size(), 0);
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
-    if (last - first == 2) {
-      const Side &a = sides[first], &b = sides[first + 1];
-      neighbours[a.triangle].push_back({b.triangle, a.upward == b.upward});
-      neighbours[b.triangle].push_back({a.triangle, a.upward == b.upward});
+    if (last - first > 2) {
+      sort_around_edge(surface, std::span(sides).subspan(first, last - first));
+    }
+    for (std::size_t k = first; k + 1 < last; k += 2) {
+      const Side &a = sides[k], &b = sides[k + 1];
+      neighbours[a.triangle][known[a.triangle]++] = {b.triangle, a.upward == b.upward};
+      neighbours[b.triangle][known[b.triangle]++] = {a.triangle, a.upward == b.upward};
     }
   });
   return neighbours;
 }
 
-/// Six times the volume between a triangle and the origin.
-double six_volumes(const TriangleSurface& surface, const glm::uvec3& t) {
-  const glm::dvec3 a(surface.vertices[t.x]), b(surface.vertices[t.y]), c(surface.vertices[t.z]);
-  return glm::dot(a, glm::cross(b, c));
+/// The volume between some triangles of a surface and a place near them, m³: what they enclose,
+/// where they are closed.
+double volume_of(const TriangleSurface& surface, const std::vector<std::uint32_t>& part) {
+  const glm::dvec3 origin(surface.vertices[surface.triangles[part.front()].x]);
+  double sum = 0.;
+  for (const std::uint32_t i : part) {
+    const glm::uvec3& t = surface.triangles[i];
+    const glm::dvec3 a(surface.vertices[t.x]), b(surface.vertices[t.y]), c(surface.vertices[t.z]);
+    sum += glm::dot(a - origin, glm::cross(b - origin, c - origin));
+  }
+  return sum / 6.;
 }
 
 void turn(glm::uvec3& triangle) {
   std::swap(triangle.y, triangle.z);
 }
 
-/// Turns triangles so that neighbours pass their common edge in opposite directions. A part in
-/// which any had to be turned faces outward afterwards; others keep their way, since a part that
-/// faces inward is a cavity.
-void turn_consistently(TriangleSurface& surface, const std::vector<Side>& sides) {
-  const auto neighbours = neighbours_of(surface.triangles.size(), sides);
+/// Turns triangles so that neighbours pass their common edge in opposite directions.
+/// @return the surface's connected parts, each as its triangles' numbers
+std::vector<std::vector<std::uint32_t>> turned_parts(TriangleSurface& surface,
+                                                     const Neighbours& neighbours) {
   enum class State : char { unseen, kept, turned };
   std::vector<State> states(surface.triangles.size(), State::unseen);
-  std::vector<std::uint32_t> part;
+  std::vector<std::vector<std::uint32_t>> parts;
   for (std::uint32_t start = 0; start < states.size(); ++start) {
     if (states[start] != State::unseen) {
       continue;
     }
-    part.assign(1, start);
+    std::vector<std::uint32_t>& part = parts.emplace_back(1, start);
     states[start] = State::kept;
-    bool any_turned = false;
     for (std::size_t k = 0; k < part.size(); ++k) {
       for (const Neighbour& next : neighbours[part[k]]) {
         const bool turned = (states[part[k]] == State::turned) != next.turned;
@@ -150,56 +242,53 @@ void turn_consistently(TriangleSurface& surface, const std::vector<Side>& sides)
         if (states[next.triangle] == State::unseen) {
           states[next.triangle] = wanted;
           part.push_back(next.triangle);
-          any_turned = any_turned || turned;
         } else if (states[next.triangle] != wanted) {
           throw MeshError("has one side only, like a Möbius strip: it has no inside");
         }
       }
     }
-    if (!any_turned) {
-      continue;
+  }
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i] == State::turned) {
+      turn(surface.triangles[i]);
     }
-    double volume = 0.;
-    for (const std::uint32_t i : part) {
-      if (states[i] == State::turned) {
-        turn(surface.triangles[i]);
-      }
-      volume += six_volumes(surface, surface.triangles[i]);
-    }
-    for (const std::uint32_t i : part) {
-      if (volume < 0.) {
-        turn(surface.triangles[i]);
-      }
-    }
+  }
+  return parts;
+}
+
+void turn_all(TriangleSurface& surface, const std::vector<std::uint32_t>& part) {
+  for (const std::uint32_t i : part) {
+    turn(surface.triangles[i]);
   }
 }
 
-/// Each edge is passed as often in one direction as in the other; with more than two triangles at
-/// an edge, turning neighbours does not bring that about.
-void check_directions(const TriangleSurface& surface) {
-  const std::vector<Side> sides = sides_of(surface);
-  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
-    int balance = 0;
-    for (std::size_t k = first; k < last; ++k) {
-      balance += sides[k].upward ? 1 : -1;
-    }
-    if (balance != 0) {
-      throw MeshError(fmt::format(
-          "has {} triangles at the edge from {} to {}, and they do not face the same way there",
-          last - first, text_of(surface.vertices[sides[first].low]),
-          text_of(surface.vertices[sides[first].high])));
-    }
-  });
+/// Refuses a surface that encloses next to nothing beside its size.
+void check_volume(const TriangleSurface& surface) {
+  glm::vec3 low = surface.vertices[0], high = low;
+  for (const glm::vec3& v : surface.vertices) {
+    low = glm::min(low, v);
+    high = glm::max(high, v);
+  }
+  const double width = glm::length(glm::dvec3(high) - glm::dvec3(low));
+  if (!(enclosed_volume(surface) > 1e-9 * width * width * width)) {
+    throw MeshError("encloses no volume: it is flat");
+  }
 }
 
 }  // namespace
 
 double enclosed_volume(const sim::TriangleSurface& surface) {
-  double sum = 0.;
-  for (const glm::uvec3& t : surface.triangles) {
-    sum += six_volumes(surface, t);
-  }
-  return sum / 6.;
+  std::vector<std::uint32_t> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all.empty() ? 0. : volume_of(surface, all);
+}
+
+std::size_t inner_shells(const sim::TriangleSurface& closed) {
+  TriangleSurface surface = closed;
+  std::vector<Side> sides = sides_of(surface);
+  const auto parts = turned_parts(surface, neighbours_of(surface, sides));
+  return static_cast<std::size_t>(std::count_if(
+      parts.begin(), parts.end(), [&](const auto& part) { return volume_of(surface, part) < 0.; }));
 }
 
 sim::TriangleSurface closed_surface(const sim::TriangleSurface& triangles) {
@@ -207,25 +296,22 @@ sim::TriangleSurface closed_surface(const sim::TriangleSurface& triangles) {
   if (surface.triangles.empty()) {
     throw MeshError("has no triangles");
   }
-  const std::vector<Side> sides = sides_of(surface);
+  surface = without_doubles(surface);
+  std::vector<Side> sides = sides_of(surface);
   check_edges(surface, sides);
-  turn_consistently(surface, sides);
-  check_directions(surface);
-  const double volume = enclosed_volume(surface);
-  if (volume < 0.) {
-    for (glm::uvec3& t : surface.triangles) {
-      turn(t);
+  const auto parts = turned_parts(surface, neighbours_of(surface, sides));
+  std::vector<Shell> shells;
+  for (const auto& part : parts) {
+    const double volume = volume_of(surface, part);
+    if (volume < 0.) {
+      turn_all(surface, part);
     }
+    shells.push_back({part, std::abs(volume)});
   }
-  glm::vec3 low = surface.vertices[0], high = low;
-  for (const glm::vec3& v : surface.vertices) {
-    low = glm::min(low, v);
-    high = glm::max(high, v);
+  for (const std::size_t cavity : cavities_among(surface, shells)) {
+    turn_all(surface, parts[cavity]);
   }
-  const double width = glm::length(glm::dvec3(high) - glm::dvec3(low));
-  if (!(std::abs(volume) > 1e-9 * width * width * width)) {
-    throw MeshError("encloses no volume: it is flat");
-  }
+  check_volume(surface);
   return surface;
 }
 

@@ -69,7 +69,7 @@ void write_results(const std::vector<BenchRow>& rows, const BenchOptions& option
 
 int run_bench(const BenchOptions& options) {
   const std::vector<BenchRun> runs = planned_runs(options.plan);
-  std::filesystem::create_directories(options.output);
+  const FolderLock lock(options.output, false);
   const InterruptGuard interrupt;
   const std::vector<BenchRow> rows = run_all(runs, options.quiet);
   const bool interrupted = InterruptGuard::requested();

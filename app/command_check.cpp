@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 
 #include "app/commands.hpp"
+#include "app/disk_estimate.hpp"
 #include "app/estimate.hpp"
+#include "app/machine_limits.hpp"
+#include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -21,16 +24,26 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
     return done;
   }
   const Estimate cost = estimate(scene, threads);
+  const DiskEstimate disk = disk_estimate(scene, {}, cost);
   const nlohmann::ordered_json resolved = to_json(scene);
+  const std::vector<Complaint> warnings = warnings_of(scene);
   if (json) {
-    const nlohmann::ordered_json report{{"scene", resolved},
-                                        {"simulation_hash", simulation_hash(scene)},
-                                        {"particles", cost.particles},
-                                        {"boundary_particles_about", cost.boundary_particles},
-                                        {"frames", scene.video.frame_count()},
-                                        {"memory_bytes_about", cost.bytes},
-                                        {"seconds_about", cost.seconds},
-                                        {"threads", threads}};
+    nlohmann::ordered_json told = nlohmann::ordered_json::array();
+    for (const Complaint& warning : warnings) {
+      told.push_back({{"path", warning.path}, {"message", warning.message}});
+    }
+    const nlohmann::ordered_json report{
+        {"scene", resolved},
+        {"simulation_hash", simulation_hash(scene)},
+        {"particles", cost.particles},
+        {"boundary_particles_about", cost.boundary_particles},
+        {"frames", scene.video.frame_count()},
+        {"memory_bytes_about", cost.bytes},
+        {"disk_bytes_about",
+         {{"particles", disk.particles}, {"pictures", disk.pictures}, {"video", disk.video}}},
+        {"seconds_about", cost.seconds},
+        {"threads", threads},
+        {"warnings", told}};
     fmt::print("{}\n", report.dump(2));
     return done;
   }
@@ -42,8 +55,14 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              scene.video.width, scene.video.height, scene.video.duration,
              scene.video.frames_per_second);
   fmt::print("memory      about {:.0f} MB\n", cost.bytes / 1e6);
+  fmt::print("disk        about {}: {} for kept particles, {} for pictures, {} for the video\n",
+             bytes_text(disk.sum()), bytes_text(disk.particles), bytes_text(disk.pictures),
+             bytes_text(disk.video));
   fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
              threads == 1 ? "" : "s");
+  for (const Complaint& warning : warnings) {
+    fmt::print("warning     {}: {}\n", warning.path, warning.message);
+  }
   return done;
 }
 

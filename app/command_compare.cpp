@@ -1,13 +1,16 @@
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 #include "app/commands.hpp"
 #include "app/comparison.hpp"
+#include "app/json_file.hpp"
 #include "app/picture_source.hpp"
 #include "app/scene_document.hpp"
+#include "app/threads.hpp"
+#include "render/output/atomic_file.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -36,8 +39,7 @@ void list_differences(const Json& a, const Json& b, const std::string& path,
 
 /// The resolved scene of a folder that `render` made; null where it isn't one.
 Json scene_of_run(const fs::path& folder) {
-  std::ifstream in(folder / "run.json");
-  const Json run = Json::parse(in, nullptr, false);
+  const Json run = json_in(folder / "run.json");
   return run.is_object() ? run.value("scene", Json()) : Json();
 }
 
@@ -84,6 +86,7 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
           "{}: the differences would take the place of these pictures; give another folder by -o",
           source->path().string()));
   fs::create_directories(differences);
+  output::remove_part_files(differences);
   remove_pictures(differences);
   ComparisonReport comparison{.title = "Spindrift comparison",
                               .a = a.path().string(),
@@ -118,6 +121,8 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
 int run_compare(const CompareOptions& options) {
   PictureSource a(options.a), b(options.b);
   require_same_names(a, b);
+  require_threads(omp_get_max_threads() - 1);
+  const FolderLock lock(options.output, false);
   ComparisonReport comparison = compared(a, b, options);
   if (comparison.pairs.empty())
     throw InputError(

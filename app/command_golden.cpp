@@ -8,6 +8,7 @@
 #include "app/golden_list.hpp"
 #include "app/interrupt.hpp"
 #include "app/nearest_name.hpp"
+#include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
 
 namespace spindrift::app {
@@ -40,17 +41,21 @@ class GoldenRun {
 
   void run(const Golden& golden) {
     const fs::path folder = options_.output / golden.name;
-    remove_pictures(folder / "reference");
-    remove_pictures(folder / "difference");
+    const FolderLock lock(folder, false);
+    for (const char* name : {"reference", "difference"}) {
+      remove_pictures(folder / name);
+      output::remove_part_files(folder / name);
+    }
     RenderOptions render;
     render.output = folder;
     render.frames = FrameRange{golden.frames.front(), golden.frames.back()};
-    render.cache = false;  // kept particles would hide a change of the solver
+    render.cache = false;   // kept particles would hide a change of the solver
+    render.replace = true;  // the list says what the folder is for
     render.quiet = true;
     Scene scene = golden.resolved;
     if (scene.probes_rate == 0)
       scene.probes.clear();  // nothing in the pictures depends on them
-    if (run_render(scene, render) != done || InterruptGuard::requested()) {
+    if (run_render(scene, render, lock) != done || InterruptGuard::requested()) {
       report_.not_compared.push_back(fmt::format("{}: it could not be rendered", golden.name));
       not_rendered_ = true;
       return;
@@ -173,6 +178,7 @@ int run_golden(const GoldenOptions& options) {
         "\"set\" of a golden test");
   const GoldenList list = read_golden_list(options.list, options.overrides);
   require_names(options.only, list);
+  const FolderLock lock(options.output, false);
   GoldenRun run(options, list);
   for (const Golden& golden : list.goldens) {
     if (options.only.empty() ||

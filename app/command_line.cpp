@@ -8,14 +8,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
+#include "app/cache_options.hpp"
 #include "app/commands.hpp"
 #include "app/compare_options.hpp"
+#include "app/machine_limits.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene_fields.hpp"
+#include "app/scene_warnings.hpp"
 #include "app/sweep_options.hpp"
 
 namespace spindrift::app {
@@ -32,6 +35,8 @@ struct Typed {
   std::string backend;
   int threads = 0;
   bool no_cache = false;
+  bool force = false;
+  std::string progress = "text";
   bool quiet = false;
   bool json = false;
 
@@ -97,6 +102,13 @@ void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::str
       ->take_all()
       ->check(CLI::IsMember(exports));
   command.add_flag("--no-cache", typed.no_cache, "Simulate anew and keep no particles");
+  command.add_flag("--force", typed.force,
+                   "Also where another scene's results are replaced, or it may not fit");
+  command
+      .add_option("--progress", typed.progress,
+                  "How far the run is, on stderr: text, or json for a line of JSON for each frame")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 /// An option that takes a list, as in --spacing 2,1.25.
@@ -194,6 +206,12 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   RenderOptions options;
   options.output = typed.output.empty() ? std::filesystem::path("out") / scene.name
                                         : std::filesystem::path(typed.output);
+  std::error_code not_there;
+  const auto file = std::filesystem::canonical(typed.scene, not_there);
+  options.scene_file = not_there ? typed.scene : file.string();
+  options.replace = typed.force || !typed.output.empty();
+  options.force = typed.force;
+  options.progress = typed.progress == "json" ? ProgressKind::json : ProgressKind::text;
   options.frames = parse_frames(typed.frames, scene.video.frame_count());
   if (!typed.from_particles.empty()) {
     if (!std::filesystem::is_directory(typed.from_particles)) {
@@ -210,6 +228,9 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   options.quiet = typed.quiet;
   options.json = typed.json;
   options.command_line_hint = hint;
+  if (!typed.quiet && !options.from_particles) {
+    print_warnings(scene);
+  }
   return run_render(scene, options);
 }
 
@@ -332,6 +353,10 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   GoldenOptions golden_options;
   add_golden_options(*golden, golden_options);
 
+  CLI::App* cache = app.add_subcommand("cache", "List or remove kept simulations");
+  TypedCache typed_cache;
+  add_cache_options(*cache, typed_cache);
+
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
@@ -368,6 +393,9 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   if (golden->parsed()) {
     return run_golden(golden_options);
   }
+  if (cache->parsed()) {
+    return run_typed_cache(typed_cache);
+  }
   if (info->parsed()) {
     return run_info(typed.json);
   }
@@ -397,10 +425,13 @@ int run_command_line(int argc, const char* const* argv) {
     return report(bad_usage, error.what());
   } catch (const InputError& error) {
     return report(bad_usage, error.what());
-  } catch (const std::bad_alloc&) {
-    return report(run_failed, "out of memory");
-  } catch (const std::exception& error) {
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::broken_pipe) {
+      return run_failed;  // who was to read it has heard enough
+    }
     return report(run_failed, error.what());
+  } catch (const std::exception& error) {
+    return report(run_failed, reason_of(error));
   }
 }
 

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <exception>
-#include <functional>
 
 #include "app/commands.hpp"
+#include "app/machine_limits.hpp"
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
-#include "render/output/atomic_file.hpp"
+#include "app/run_folder.hpp"
+#include "app/threads.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -14,9 +16,7 @@ namespace {
 /// Says what is left of a run that did not reach its end, and how to go on.
 void print_rest(const RenderOptions& options, const RunRecord& record, const char* reason) {
   const std::string video =
-      options.simulate_only || record.frames_finished == 0
-          ? std::string()
-          : fmt::format("; {} plays them", (options.output / "video.mp4").string());
+      record.video.empty() ? std::string() : fmt::format("; {} plays them", record.video.string());
   fmt::print(stderr, "spindrift: {} after {} of {} frames{}\n", reason, record.frames_finished,
              record.frames_wanted, video);
   if (options.cache && !options.from_particles)
@@ -24,13 +24,7 @@ void print_rest(const RenderOptions& options, const RunRecord& record, const cha
                options.command_line_hint);
 }
 
-void write_probes(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
-  output::write_file(options.output / "probes.csv", probes_csv(scene, record.probe_readings));
-  PlotDrawer draw;
-  output::write_file(options.output / "probes.html",
-                     probes_html(scene, record.probe_readings, std::ref(draw)));
-  if (!draw.failure().empty())
-    fmt::print(stderr, "spindrift: {}; probes.html is without plots\n", draw.failure());
+void tell_about_probes(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
   if (record.frames_read_once > 0 && !options.quiet)
     fmt::print(
         stderr,
@@ -39,37 +33,42 @@ void write_probes(const Scene& scene, const RenderOptions& options, const RunRec
         record.frames_read_once, scene.probes_rate);
 }
 
-void write_report(const Scene& scene, const RenderOptions& options, const RunRecord& record) {
-  if (!scene.probes.empty())
-    write_probes(scene, options, record);
-  output::write_file(options.output / "run.json", report_json(scene, record).dump(1) + "\n");
-}
-
 }  // namespace
 
 int run_render(const Scene& scene, const RenderOptions& options) {
-  std::filesystem::create_directories(options.output);
+  require_room(scene, options);
+  const FolderLock lock(options.output, false);
+  return run_render(scene, options, lock);
+}
+
+int run_render(const Scene& scene, const RenderOptions& options, const FolderLock&) {
+  require_threads(threads_of_run(options.threads > 0 ? options.threads : omp_get_max_threads()));
+  RunFolder folder(scene, options);
+  folder.begin();
   RunRecord record;
   try {
     run_pipeline(scene, options, record);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "spindrift: {}\n", error.what());
+    fmt::print(stderr, "spindrift: {}\n", reason_of(error));
     print_rest(options, record, "stopped");
     try {
-      write_report(scene, options, record);
+      folder.write_probes(record);
+      folder.finish(record);
     } catch (const std::exception&) {
       // What stopped the run, a full disk say, may keep the report from being written as well; the
       // reason has been told.
     }
     return run_failed;
   }
-  write_report(scene, options, record);
+  folder.write_probes(record);
+  const nlohmann::ordered_json report = folder.finish(record);
+  tell_about_probes(scene, options, record);
   if (record.interrupted) {
     print_rest(options, record, "interrupted");
     return run_failed;
   }
   if (options.json)
-    fmt::print("{}\n", report_json(scene, record).dump(1));
+    fmt::print("{}\n", report.dump(1));
   else if (!options.quiet)
     print_table(scene, options, record);
   return done;

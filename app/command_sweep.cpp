@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/folder_lock.hpp"
 #include "app/interrupt.hpp"
+#include "app/machine_limits.hpp"
 #include "app/progress.hpp"
 #include "app/sweep_report.hpp"
 #include "app/sweep_results.hpp"
@@ -17,19 +18,19 @@
 namespace spindrift::app {
 namespace {
 
-/// A line on the terminal that says how far all is; nothing where no person is looking.
+/// A line on the terminal that says how far all is; lines now and then where there is none.
 class SweepProgress {
  public:
-  explicit SweepProgress(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO)) {}
+  explicit SweepProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
   ~SweepProgress() {
-    if (visible_)
+    if (!quiet_ && terminal_)
       fmt::print(stderr, "\r\033[K");
   }
   SweepProgress(const SweepProgress&) = delete;
   SweepProgress& operator=(const SweepProgress&) = delete;
 
-  void show(const PoolStatus& status) const {
-    if (!visible_)
+  void show(const PoolStatus& status) {
+    if (quiet_ || (!terminal_ && !pace_.is_due(status.part)))
       return;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
     const std::string left =
@@ -38,13 +39,14 @@ class SweepProgress {
     const std::string running = status.running.empty() ? "" : "  " + status.running.front();
     const std::string more =
         status.running.size() < 2 ? "" : fmt::format(" and {} more", status.running.size() - 1);
-    fmt::print(stderr, "\r\033[K{} of {} tasks  {}{}{}", status.finished, status.all, left, running,
-               more);
+    fmt::print(stderr, "{}{} of {} tasks  {}{}{}{}", terminal_ ? "\r\033[K" : "", status.finished,
+               status.all, left, running, more, terminal_ ? "" : "\n");
     std::fflush(stderr);
   }
 
  private:
-  bool visible_;
+  bool quiet_, terminal_;
+  LogPace pace_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -114,13 +116,12 @@ int tell_failures(const SweepPlan& plan, const SweepDone& done_now) {
 int run_sweep(const SweepRequest& request, const SweepOptions& options) {
   const SweepPlan plan = plan_sweep(request);
   check_targets(plan);
-  std::filesystem::create_directories(options.output);
   const SweepFolder folder(options.output);
   const FolderLock lock(folder.root(), false);
   const InterruptGuard interrupt;
   SweepDone done_now;
   {
-    const SweepProgress progress(options.quiet);
+    SweepProgress progress(options.quiet);
     done_now = carry_out(
         plan, folder, {.threads = options.threads, .jobs = options.jobs, .bytes = free_memory()},
         InterruptGuard::requested(), [&](const PoolStatus& status) { progress.show(status); });

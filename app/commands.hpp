@@ -8,6 +8,7 @@
 #include "app/bench_runs.hpp"
 #include "app/comparison.hpp"
 #include "app/errors.hpp"
+#include "app/folder_lock.hpp"
 #include "app/scene.hpp"
 #include "app/sweep_plan.hpp"
 
@@ -19,17 +20,27 @@ struct FrameRange {
   int last = 0;
 };
 
+/// How a run says how far it is.
+enum class ProgressKind {
+  text,  ///< a line that changes on a terminal; lines now and then elsewhere
+  json   ///< a line for machines for each frame
+};
+
 struct RenderOptions {
   std::filesystem::path output;                         ///< folder of all results
+  std::string scene_file;                               ///< absolute; empty: not known
   std::optional<FrameRange> frames;                     ///< none: all
   std::optional<std::filesystem::path> from_particles;  ///< folder of exported particles to draw
   bool export_meshes = false;
   bool export_particles = false;
-  bool cache = true;              ///< keep particles and use those kept
-  bool simulate_only = false;     ///< no meshes, pictures or video
-  int threads = 0;                ///< 0: as many as the machine has
-  bool quiet = false;             ///< nothing but errors
-  bool json = false;              ///< for machines
+  bool replace = false;        ///< also the results of another scene
+  bool force = false;          ///< also what may not fit into memory or on the disk
+  bool cache = true;           ///< keep particles and use those kept
+  bool simulate_only = false;  ///< no meshes, pictures or video
+  int threads = 0;             ///< 0: as many as the machine has
+  bool quiet = false;          ///< nothing but errors
+  bool json = false;           ///< for machines
+  ProgressKind progress = ProgressKind::text;
   std::string command_line_hint;  ///< the command as typed, to say how to go on
 };
 
@@ -47,6 +58,15 @@ struct SweepOptions {
   bool quiet = false;             ///< nothing but errors
   bool json = false;              ///< for machines
   std::string command_line_hint;  ///< the command as typed, to say how to go on
+};
+
+struct CacheOptions {
+  std::vector<std::filesystem::path> folders;  ///< of runs, or above them
+  bool remove = false;                         ///< not only list them
+  bool unused = false;                         ///< only those that their folder's run does not use
+  double older_than = 0;                       ///< only those last used so long ago, s
+  bool quiet = false;                          ///< nothing but errors
+  bool json = false;                           ///< for machines
 };
 
 struct CompareOptions {
@@ -71,7 +91,16 @@ struct GoldenOptions {
   bool json = false;                            ///< for machines
 };
 
+/// Simulates a scene, and draws it; leaves its pictures, its video and run.json, the particles and
+/// what else the options ask for. One process at a time works in a folder: a second one is refused.
+/// @throws InputError, std::runtime_error where nothing has been begun
 int run_render(const Scene& scene, const RenderOptions& options);
+
+/// The same, by a caller that holds the folder's lock.
+int run_render(const Scene& scene, const RenderOptions& options, const FolderLock& lock);
+
+/// Lists the kept simulations of all runs in the folders and below, or removes them.
+int run_cache(const CacheOptions& options);
 
 /// Measures speed, memory and errors over the plan's runs; leaves bench.csv and bench.html.
 int run_bench(const BenchOptions& options);

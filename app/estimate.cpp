@@ -2,20 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <variant>
 
-#include "app/closed_surface.hpp"
+#include "sim/fill.hpp"
 #include "sim/initial.hpp"
 #include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
-#include "sim/shapes/mesh_body.hpp"
-#include "sim/simulation.hpp"
+#include "sim/shapes.hpp"
+#include "sim/shapes/measures.hpp"
 
 namespace spindrift::app {
 namespace {
 
-using std::numbers::pi;
+/// As many as are filled to be counted: that takes some tenths of a second.
+constexpr double most_filled_particles = 2e6;
+
+/// More are not told apart.
+constexpr double most_counted = 1e18;
 
 // Measured on ordinary scenes; rough by nature.
 constexpr double bytes_per_particle = 450.;  // its fields and its neighbour list
@@ -42,98 +44,72 @@ double likely_speed(const sim::Settings& settings) {
   return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
 }
 
-double volume(const sim::Box& box) {
-  const glm::dvec3 d = glm::dvec3(box.max) - glm::dvec3(box.min);
-  return d.x * d.y * d.z;
-}
-double area(const sim::Box& box) {
-  const glm::dvec3 d = glm::dvec3(box.max) - glm::dvec3(box.min);
-  return 2. * (d.x * d.y + d.y * d.z + d.z * d.x);
+/// The box that liquid can be in, m.
+sim::Box reach_of(const sim::DomainSettings& domain, float spacing) {
+  return {domain.min - spacing, domain.max + spacing};
 }
 
-double volume(const sim::Sphere& sphere) {
-  return 4. / 3. * pi * std::pow(static_cast<double>(sphere.radius), 3);
-}
-double area(const sim::Sphere& sphere) {
-  return 4. * pi * std::pow(static_cast<double>(sphere.radius), 2);
+sim::Box common(const sim::Box& a, const sim::Box& b) {
+  return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
 }
 
-template <class Shape>
-double length(const Shape& shape) {
-  return glm::distance(glm::dvec3(shape.from), glm::dvec3(shape.to));
-}
-
-double volume(const sim::Cylinder& cylinder) {
-  const double radius = cylinder.radius;
-  return pi * radius * radius * length(cylinder);
-}
-double area(const sim::Cylinder& cylinder) {
-  const double radius = cylinder.radius;
-  return 2. * pi * radius * (radius + length(cylinder));
-}
-
-double volume(const sim::Capsule& capsule) {
-  const double radius = capsule.radius;
-  return pi * radius * radius * (length(capsule) + 4. / 3. * radius);
-}
-double area(const sim::Capsule& capsule) {
-  const double radius = capsule.radius;
-  return 2. * pi * radius * (length(capsule) + 2. * radius);
-}
-
-double volume(const sim::TriangleMesh& mesh) {
-  return enclosed_volume(mesh.body->surface());
-}
-double area(const sim::TriangleMesh& mesh) {
-  const sim::TriangleSurface& surface = mesh.body->surface();
+/// From the volumes' sizes, less what is beyond the domain.
+double particles_by_size(const sim::Settings& settings) {
+  const double edge = sim::particle_spacing(settings);
   double sum = 0.;
-  for (const glm::uvec3& t : surface.triangles) {
-    const glm::dvec3 a(surface.vertices[t.x]), b(surface.vertices[t.y]), c(surface.vertices[t.z]);
-    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  for (const sim::Volume& volume : settings.fluid.volumes) {
+    const sim::Box inside =
+        common(sim::bounds_of(volume.shape), sim::Box{settings.domain.min, settings.domain.max});
+    sum += std::min(sim::volume_of(volume.shape), sim::volume_of(inside));
   }
-  return sum;
-}
-
-/// Particles that come out of emitters until a time, s, where nothing is in their way.
-std::size_t entered_until(const sim::Settings& settings, double time) {
-  std::size_t sum = 0;
-  for (const sim::Emitter& emitter : settings.fluid.emitters) {
-    const sim::Nozzle nozzle(emitter, settings.fluid.spacing);
-    sum += static_cast<std::size_t>(nozzle.entered(time)) * nozzle.layer_size();
-  }
-  return sum;
+  return sum / (edge * edge * edge);
 }
 
 }  // namespace
 
-double shape_volume(const sim::Shape& shape) {
-  return std::visit([](const auto& s) { return volume(s); }, shape);
-}
-
-double opening_area(const sim::Opening& opening) {
-  if (const auto* disc = std::get_if<sim::Disc>(&opening)) {
-    return pi * std::pow(static_cast<double>(disc->radius), 2);
+double count_boundary_particles(const sim::Settings& settings) {
+  const double spacing = settings.fluid.spacing;
+  const sim::Box reach = reach_of(settings.domain, settings.fluid.spacing);
+  double area = sim::area_of(sim::Box{settings.domain.min, settings.domain.max});
+  for (const sim::Obstacle& obstacle : settings.obstacles) {
+    const sim::Box bounds = sim::bounds_of(obstacle.shape);
+    if (obstacle.motion || !sim::is_apart(bounds, reach)) {
+      area += sim::area_of(obstacle.shape);
+    }
   }
-  const auto& rectangle = std::get<sim::Rectangle>(opening);
-  return static_cast<double>(rectangle.width) * rectangle.height;
+  return area / (spacing * spacing);
 }
 
-double shape_area(const sim::Shape& shape) {
-  return std::visit([](const auto& s) { return area(s); }, shape);
+double count_emitted(const sim::Settings& settings, double time) {
+  double sum = 0.;
+  const float spacing = sim::particle_spacing(settings);
+  for (const sim::Emitter& emitter : settings.fluid.emitters) {
+    const sim::Nozzle nozzle(emitter, spacing);
+    sum += static_cast<double>(nozzle.entered(time)) * nozzle.layer_size();
+  }
+  return sum;
+}
+
+std::size_t count_particles(const sim::Settings& settings) {
+  const double count = particles_by_size(settings);
+  return is_cheap_to_fill(settings) ? sim::fill_volumes(settings).positions.size()
+                                    : static_cast<std::size_t>(std::min(count, most_counted));
+}
+
+bool is_cheap_to_fill(const sim::Settings& settings) {
+  return particles_by_size(settings) < most_filled_particles;
 }
 
 Estimate estimate(const Scene& scene, int threads) {
   const sim::Settings& settings = scene.simulation;
   const double spacing = settings.fluid.spacing;
-  double solid_area = area(sim::Box{settings.domain.min, settings.domain.max});
-  for (const sim::Obstacle& obstacle : settings.obstacles) {
-    solid_area += shape_area(obstacle.shape);
-  }
 
   Estimate result;
-  const std::size_t first = sim::fill_volumes(settings).positions.size();
-  result.particles = first + entered_until(settings, scene.video.duration);
-  result.boundary_particles = static_cast<std::size_t>(solid_area / (spacing * spacing));
+  const std::size_t first = count_particles(settings);
+  result.particles = first + static_cast<std::size_t>(std::min(
+                                 count_emitted(settings, scene.video.duration), most_counted));
+  result.boundary_particles =
+      static_cast<std::size_t>(std::min(count_boundary_particles(settings), most_counted));
   const auto most = static_cast<double>(result.particles);
   const double particles = 0.5 * (static_cast<double>(first) + most);  // over the time
   const double pixels = static_cast<double>(scene.video.width) * scene.video.height;

@@ -8,7 +8,7 @@
 namespace spindrift::app {
 
 struct Estimate {
-  std::size_t particles = 0;           ///< exact; where emitters bring more, the most there can be
+  std::size_t particles = 0;  ///< of liquid; where emitters bring more, the most there can be
   std::size_t boundary_particles = 0;  ///< one layer on every wall and obstacle, roughly
   double bytes = 0.;                   ///< memory, roughly
   double seconds = 0.;  ///< wall clock of the whole command, within a factor of three
@@ -17,13 +17,17 @@ struct Estimate {
 /// @param threads that share the work
 Estimate estimate(const Scene& scene, int threads);
 
-/// Volume of a shape, m³.
-double shape_volume(const sim::Shape& shape);
+/// Particles of liquid at the start: exact up to some millions, from there on from the volumes'
+/// sizes. Takes a moment and little memory whatever the sizes are.
+std::size_t count_particles(const sim::Settings& settings);
 
-/// Area of an emitter's opening, m².
-double opening_area(const sim::Opening& opening);
+/// Whether those are so few that filling the volumes takes a moment.
+bool is_cheap_to_fill(const sim::Settings& settings);
 
-/// Area of a shape's surface, m².
-double shape_area(const sim::Shape& shape);
+/// Particles on walls and on obstacles that reach into the domain, roughly.
+double count_boundary_particles(const sim::Settings& settings);
+
+/// Particles that come out of emitters until a time, s, where nothing is in their way.
+double count_emitted(const sim::Settings& settings, double time);
 
 }  // namespace spindrift::app

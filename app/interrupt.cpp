@@ -1,5 +1,6 @@
 #include "app/interrupt.hpp"
 
+#include <array>
 #include <csignal>
 
 namespace spindrift::app {
@@ -10,20 +11,33 @@ std::atomic<bool> interrupted{false};
 
 void on_signal(int signal) {
   interrupted = true;
-  std::signal(signal, SIG_DFL);
+  // A lost terminal is told of twice: by the shell, and by the system when the shell ends.
+  if (signal != SIGHUP)
+    std::signal(signal, SIG_DFL);
+}
+
+/// Whether nohup has asked for the run to go on without its terminal.
+bool hangup_is_ignored() {
+  struct sigaction now {};
+  return ::sigaction(SIGHUP, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
 }
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
+InterruptGuard::InterruptGuard() : hears_hangup_(!hangup_is_ignored()) {
   interrupted = false;
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  set(on_signal);
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  set(SIG_DFL);
+}
+
+void InterruptGuard::set(void (*handler)(int)) const {
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
+  if (hears_hangup_)
+    std::signal(SIGHUP, handler);
 }
 
 const std::atomic<bool>& InterruptGuard::requested() {

@@ -1,4 +1,5 @@
-// Ctrl-C as a flag: the first one asks a run to end well, the second ends it at once.
+// Ctrl-C as a flag: the first one asks a run to end well, the second ends it at once. So do
+// SIGTERM, and the loss of the terminal (SIGHUP), unless that is ignored, as nohup has it.
 #pragma once
 
 #include <atomic>
@@ -13,6 +14,11 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   static const std::atomic<bool>& requested();
+
+ private:
+  void set(void (*handler)(int)) const;
+
+  bool hears_hangup_;
 };
 
 }  // namespace spindrift::app

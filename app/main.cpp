@@ -6,6 +6,8 @@
 #include <cstdlib>
 
 #include "app/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/standard_streams.hpp"
 
 namespace {
 
@@ -30,5 +32,8 @@ void wait_for_threads_shortly(char** argv) {
 
 int main(int argc, char** argv) {
   wait_for_threads_shortly(argv);
-  return spindrift::app::run_command_line(argc, argv);
+  spindrift::app::prepare_process();
+  const int code = spindrift::app::run_command_line(argc, argv);
+  return spindrift::app::all_printed() || code != spindrift::app::done ? code
+                                                                       : spindrift::app::run_failed;
 }

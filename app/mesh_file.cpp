@@ -1,29 +1,35 @@
 #include "app/mesh_file.hpp"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/closed_surface.hpp"
+#include "app/mesh_readers.hpp"
 #include "app/nearest_name.hpp"
+#include "render/output/input_file.hpp"
 
 namespace spindrift::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool is_mesh_file(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
+/// In small letters, with its point.
+std::string ending(const fs::path& file) {
+  std::string text = file.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".obj" || ending == ".ply";
+  return text;
+}
+
+bool is_mesh_file(const fs::path& file) {
+  return ending(file) == ".obj" || ending(file) == ".ply";
 }
 
 /// "; did you mean ...?" with the most similar mesh file of the folder, if there is one.
@@ -42,18 +48,14 @@ std::string similar_file(const fs::path& file) {
   return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
 }
 
-void append(const aiMesh& part, sim::TriangleSurface& surface) {
-  const auto first = static_cast<std::uint32_t>(surface.vertices.size());
-  for (unsigned i = 0; i < part.mNumVertices; ++i) {
-    const aiVector3D& v = part.mVertices[i];
-    surface.vertices.push_back({v.x, v.y, v.z});
-  }
-  for (unsigned i = 0; i < part.mNumFaces; ++i) {
-    const aiFace& face = part.mFaces[i];
-    if (face.mNumIndices == 3) {  // neither a point nor a line
-      surface.triangles.push_back(first +
-                                  glm::uvec3(face.mIndices[0], face.mIndices[1], face.mIndices[2]));
-    }
+/// @throws MeshError, which does not name the file, as all of them
+std::string bytes_of(const fs::path& file) {
+  try {
+    return output::read_file(file);
+  } catch (const std::runtime_error& error) {
+    const std::string_view what = error.what();
+    const std::string name = file.string() + ": ";
+    throw MeshError(std::string(what.substr(what.starts_with(name) ? name.size() : 0)));
   }
 }
 
@@ -67,24 +69,44 @@ sim::TriangleSurface read_mesh_file(const fs::path& file) {
   if (!fs::exists(file, none)) {
     throw MeshError(fmt::format("there is no such file{}", similar_file(file)));
   }
-  if (!fs::is_regular_file(file, none)) {
-    throw MeshError("is not a file");
+  const std::string bytes = bytes_of(file);
+  return ending(file) == ".obj" ? read_obj(bytes) : read_ply(bytes);
+}
+
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) {
+    line.remove_suffix(1);
   }
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
-  if (!scene) {
-    throw MeshError(fmt::format("can't be read: {}", importer.GetErrorString()));
+  return line;
+}
+
+std::string_view take_word(std::string_view& text) {
+  constexpr std::string_view spaces = " \t\r\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(spaces));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+std::string shown_word(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string text(word.substr(0, longest));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return word.size() > longest ? text + "..." : text;
+}
+
+float coordinate(double number) {
+  const auto narrow = static_cast<float>(number);
+  if (!std::isfinite(narrow)) {
+    throw MeshError(fmt::format("{} is not a coordinate; accepted: {:.2g} ... {:.2g}", number,
+                                std::numeric_limits<float>::lowest(),
+                                std::numeric_limits<float>::max()));
   }
-  sim::TriangleSurface surface;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-    append(*scene->mMeshes[i], surface);
-  }
-  for (const glm::vec3& v : surface.vertices) {
-    if (!std::isfinite(v.x + v.y + v.z)) {
-      throw MeshError("has a vertex that is not a number");
-    }
-  }
-  return surface;
+  return narrow;
 }
 
 }  // namespace spindrift::app

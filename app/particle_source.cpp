@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 
+#include "app/estimate.hpp"
 #include "app/interrupt.hpp"
 #include "app/scene_values.hpp"
-#include "sim/initial.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -34,12 +35,6 @@ std::future<sim::Frame> ready(sim::Frame frame) {
   return promise.get_future();
 }
 
-ComingFrame already_kept(KeptFrame kept) {
-  const double time = kept.frame.time;
-  const std::size_t particles = kept.frame.positions.size();
-  return {ready(std::move(kept.frame)), kept.statistics, time, particles, true};
-}
-
 }  // namespace
 
 ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
@@ -47,15 +42,18 @@ ParticleSource::ParticleSource(const Scene& scene, const RenderOptions& options,
     : scene_(scene), readings_(readings) {
   if (!scene.probes.empty() && scene.probes_rate > 0)
     readings_name_ = text_hash(json_of(scene.probes).dump()).substr(0, 16) + ".readings";
+  earlier_.scene_name = scene.name;
+  earlier_.scene_file = options.scene_file;
   if (options.from_particles) {
     read_only_ = true;
     cache_.emplace(*options.from_particles);
     particle_count_ = cache_->read(0).frame.positions.size();
+    earlier_ = cache_->read_record().value_or(earlier_);
     return;
   }
   if (options.cache)
-    cache_.emplace(options.output / "particles" / simulation_hash(scene));
-  particle_count_ = sim::fill_volumes(scene.simulation).positions.size();
+    cache_.emplace(options.output / "particles" / simulation_hash(scene), simulation_hash(scene));
+  particle_count_ = count_particles(scene.simulation);
 }
 
 ParticleSource::~ParticleSource() = default;
@@ -64,20 +62,29 @@ std::optional<ComingFrame> ParticleSource::next(int number) {
   if (InterruptGuard::requested())
     return std::nullopt;
   if (read_only_)
-    return already_kept(kept(number));
-  cached_so_far_ = cached_so_far_ && cache_ && cache_->has(number);
-  if (cached_so_far_) {
-    last_ = kept(number);
-    return already_kept(last_);
+    return kept(number, cache_->read(number));
+  if (std::optional<KeptFrame> found = cache_ ? cache_->find(number) : std::nullopt) {
+    if (number == 0)
+      earlier_.take_over(cache_->read_record());
+    if (simulation_)  // a file between good ones was missing; where the next is, it starts anew
+      earlier_ = record();
+    simulation_.reset();
+    last_ = found->frame;
+    return kept(number, std::move(*found));
   }
   const std::size_t readings_before = readings_.size();
+  const auto begin = std::chrono::steady_clock::now();
   std::optional<ComingFrame> coming = simulate(number);
   if (!coming)
     return std::nullopt;
+  earlier_.seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   particle_count_ = std::max(particle_count_, coming->particle_count);
   ++simulated_;
-  if (cache_)
+  if (cache_) {
     keep_readings(number, readings_before);
+    cache_->write_record(record());
+  }
   return coming;
 }
 
@@ -88,14 +95,23 @@ KeptFrame ParticleSource::keep(int number, ComingFrame coming) const {
   return frame;
 }
 
+/// Whether Ctrl-C has let it.
+bool ParticleSource::start_simulation(int number) {
+  const sim::Stop stop = &InterruptGuard::requested();
+  try {
+    simulation_ = number == 0 ? std::make_unique<sim::Simulation>(scene_.simulation, stop)
+                              : std::make_unique<sim::Simulation>(scene_.simulation, last_, stop);
+  } catch (const sim::Stopped&) {
+    return false;
+  }
+  last_ = {};
+  return true;
+}
+
 /// Nothing after Ctrl-C.
 std::optional<ComingFrame> ParticleSource::simulate(int number) {
-  if (!simulation_) {
-    if (number == 0)
-      simulation_ = std::make_unique<sim::Simulation>(scene_.simulation);
-    else
-      simulation_ = std::make_unique<sim::Simulation>(scene_.simulation, last_.frame);
-  }
+  if (!simulation_ && !start_simulation(number))
+    return std::nullopt;
   const double time = time_of(number);
   std::vector<double> readings{time};
   if (!scene_.probes.empty() && scene_.probes_rate > 0)
@@ -123,14 +139,15 @@ std::optional<ComingFrame> ParticleSource::simulate(int number) {
   return coming;
 }
 
-KeptFrame ParticleSource::kept(int number) {
-  KeptFrame frame = cache_->read(number);
-  particle_count_ = std::max(particle_count_, frame.frame.positions.size());
+ComingFrame ParticleSource::kept(int number, KeptFrame frame) {
+  const double time = frame.frame.time;
+  const std::size_t particles = frame.frame.positions.size();
+  particle_count_ = std::max(particle_count_, particles);
   if (!add_kept_readings(number)) {
     read_probes(frame.frame);
     ++read_once_;
   }
-  return frame;
+  return {ready(std::move(frame.frame)), frame.statistics, time, particles, true};
 }
 
 /// Before the frame itself is kept, so that a frame which is there has its readings. Numbers are
@@ -173,16 +190,22 @@ void ParticleSource::read_probes(const sim::Frame& frame) {
     readings_.push_back(app::read_probes(scene_, frame));
 }
 
+SimulationRecord ParticleSource::record() const {
+  SimulationRecord sum = earlier_;
+  if (!simulation_)
+    return sum;
+  sum.backend = simulation_->backend();
+  sum.boundary_particles = simulation_->boundary_particle_count();
+  sum.bytes = std::max(sum.bytes, simulation_->memory_bytes());
+  sum.add_phases(simulation_->phase_times());
+  return sum;
+}
+
 void ParticleSource::finish(RunRecord& record) const {
   record.particles = particle_count_;
   record.frames_simulated = simulated_;
   record.frames_read_once = readings_name_.empty() ? 0 : read_once_;
-  if (!simulation_)
-    return;
-  record.backend = simulation_->backend();
-  record.boundary_particles = simulation_->boundary_particle_count();
-  record.simulation_bytes = simulation_->memory_bytes();
-  record.simulation_phases = simulation_->phase_times();
+  record.simulation = this->record();
 }
 
 }  // namespace spindrift::app

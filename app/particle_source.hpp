@@ -23,8 +23,7 @@ struct ComingFrame {
 class ParticleSource {
  public:
   /// @param readings what the scene's probes read, added to as frames are asked for
-  /// @throws std::runtime_error or SceneError when the folder of --from-particles does not fit the
-  /// scene
+  /// @throws std::runtime_error when the folder of --from-particles has no first frame
   ParticleSource(const Scene& scene, const RenderOptions& options,
                  std::vector<ProbeReading>& readings);
   ~ParticleSource();
@@ -43,7 +42,9 @@ class ParticleSource {
   void finish(RunRecord& record) const;
 
  private:
-  KeptFrame kept(int number);
+  ComingFrame kept(int number, KeptFrame frame);
+  SimulationRecord record() const;
+  bool start_simulation(int number);
   std::optional<ComingFrame> simulate(int number);
   void keep_readings(int number, std::size_t first) const;
   bool add_kept_readings(int number);
@@ -56,9 +57,9 @@ class ParticleSource {
   std::optional<ParticleCache> cache_;
   std::string readings_name_;  ///< of the files that readings between frames are kept in
   bool read_only_ = false;     ///< particles are given, never simulated
-  bool cached_so_far_ = true;
-  KeptFrame last_;
+  sim::Frame last_;            ///< that a simulation goes on from, where none is at work
   std::unique_ptr<sim::Simulation> simulation_;
+  SimulationRecord earlier_;  ///< of all but `simulation_`
   std::size_t particle_count_ = 0;
   int simulated_ = 0;
   int read_once_ = 0;  ///< frames whose readings in between were not kept

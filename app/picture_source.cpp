@@ -8,14 +8,17 @@
 #include <iterator>
 #include <utility>
 
-#include "app/commands.hpp"
+#include "app/errors.hpp"
+#include "render/output/input_file.hpp"
 
 namespace spindrift::app {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether a file begins as a PNG does. @throws std::runtime_error where it can't be read
 bool is_png(const fs::path& file) {
+  output::require_regular_file(file);
   std::array<char, 8> begin{};
   std::ifstream(file, std::ios::binary).read(begin.data(), begin.size());
   return std::string_view(begin.data(), begin.size()) == "\x89PNG\r\n\x1a\n";
@@ -47,14 +50,15 @@ auto reading(const Read& read, const char* hint = "") {
 }  // namespace
 
 PictureSource::PictureSource(fs::path path) : path_(std::move(path)) {
-  if (!fs::exists(path_))
+  std::error_code none;
+  if (!fs::exists(path_, none))
     throw InputError(fmt::format("{}: there is no such file or folder", path_.string()));
-  if (fs::is_directory(path_)) {
-    folder_ = fs::is_directory(path_ / "frames") ? path_ / "frames" : path_;
+  if (fs::is_directory(path_, none)) {
+    folder_ = fs::is_directory(path_ / "frames", none) ? path_ / "frames" : path_;
     names_ = reading([&] { return png_names(folder_); });
     if (names_.empty())
       throw InputError(fmt::format("{}: there are no PNG files in this folder", folder_.string()));
-  } else if (!is_png(path_)) {
+  } else if (!reading([&] { return is_png(path_); })) {
     video_ = reading([&] { return std::make_unique<output::VideoReader>(path_); }, as_video);
   }
 }

@@ -9,13 +9,18 @@
 #include <filesystem>
 #include <numeric>
 #include <thread>
+#include <utility>
 
 #include "app/bounded_queue.hpp"
 #include "app/interrupt.hpp"
 #include "app/particle_source.hpp"
 #include "app/progress.hpp"
+#include "app/run_folder.hpp"
 #include "app/scene_drawing.hpp"
+#include "app/threads.hpp"
+#include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
+#include "sim/sight.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -133,33 +138,62 @@ class DrawingStage {
 class WritingStage {
  public:
   WritingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
-      : folder_(options.output),
+      : scene_(scene),
+        options_(options),
+        record_(record),
         png_(record.stage_seconds["write PNG"]),
         video_(record.stage_seconds["write MP4"]),
-        writer_(folder_ / "video.mp4",
-                output::VideoSettings{.width = scene.video.width,
-                                      .height = scene.video.height,
-                                      .frames_per_second = scene.video.frames_per_second,
-                                      .quality = scene.video.quality}) {}
+        part_(output::part_name(options.output / "video.mp4")),
+        writer_(part_, output::VideoSettings{.width = scene.video.width,
+                                             .height = scene.video.height,
+                                             .frames_per_second = scene.video.frames_per_second,
+                                             .quality = scene.video.quality}) {}
+
+  /// What is finished when an error comes stays, and plays.
+  ~WritingStage() {
+    try {
+      finish();
+    } catch (const std::exception&) {
+      // The error that came before is told.
+    }
+  }
+  WritingStage(const WritingStage&) = delete;
+  WritingStage& operator=(const WritingStage&) = delete;
 
   void write(const NumberedImage& numbered) {
     {
       const StageTimer timer(png_);
-      output::write_png(folder_ / "frames" / fmt::format("{:04}.png", numbered.number),
+      output::write_png(options_.output / "frames" / fmt::format("{:04}.png", numbered.number),
                         numbered.image);
     }
     const StageTimer timer(video_);
     writer_.add(numbered.image);
+    ++count_;
   }
 
+  /// Gives the video its name, unless the one of that name goes on for longer.
   void finish() {
+    const int count = std::exchange(count_, 0);
+    if (count == 0)
+      return;
     const StageTimer timer(video_);
     writer_.finish();
+    const fs::path name =
+        options_.output / video_name(options_, record_.first_frame, count, scene_.video);
+    if (fs::exists(name) && output::video_length(name) > count)
+      fs::remove(part_);
+    else
+      fs::rename(part_, name);
+    record_.video = name;
   }
 
  private:
-  fs::path folder_;
+  const Scene& scene_;
+  const RenderOptions& options_;
+  RunRecord& record_;
   double &png_, &video_;
+  int count_ = 0;  ///< of frames that no video has yet
+  fs::path part_;  ///< name of the video until it is finished
   output::VideoWriter writer_;
 };
 
@@ -176,24 +210,22 @@ class Pipeline {
 
   void run(const FrameRange& range) {
     ParticleSource source(scene_, options_, record_.probe_readings);
-    Progress progress(scene_.name, range.last - range.first + 1, source.particle_count(),
-                      options_.quiet);
-    std::thread drawing, writing;
-    if (!options_.simulate_only) {
-      make_folders();
-      drawing = std::thread([&] { guarded([&] { draw_all(); }); });
-      writing = std::thread([&] { guarded([&] { write_all(progress); }); });
-    }
-    std::thread keeping([&] { guarded([&] { keep_all(source, range, progress); }); });
-    guarded([&] { simulate(source, range, progress); });
+    Progress progress(scene_, options_, range.last - range.first + 1, source.particle_count());
+    guarded([&] {
+      if (!options_.simulate_only) {
+        make_folders();
+        drawing_ = started_thread([&] { guarded([&] { draw_all(); }); });
+        writing_ = started_thread([&] { guarded([&] { write_all(progress); }); });
+      }
+      keeping_ = started_thread([&] { guarded([&] { keep_all(source, range, progress); }); });
+      simulate(source, range, progress);
+    });
     coming_.close();
-    keeping.join();
+    join(keeping_);
     particles_.close();
-    if (!options_.simulate_only) {
-      drawing.join();
-      images_.close();
-      writing.join();
-    }
+    join(drawing_);
+    images_.close();
+    join(writing_);
     source.finish(record_);
     if (failure_)
       std::rethrow_exception(failure_);
@@ -213,6 +245,11 @@ class Pipeline {
       particles_.close();
       images_.close();
     }
+  }
+
+  static void join(std::thread& thread) {
+    if (thread.joinable())
+      thread.join();
   }
 
   void simulate(ParticleSource& source, const FrameRange& range, Progress& progress) {
@@ -237,13 +274,14 @@ class Pipeline {
       KeptFrame kept = timed_keep(source, std::move(*coming));
       if (number < range.first)
         continue;
+      kept.frame = sim::in_sight(scene_.simulation, std::move(kept.frame));
       if (options_.simulate_only) {
         if (options_.export_particles) {
           fs::create_directories(options_.output / "particles_ply");
           export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
                            kept.frame, scene_.simulation.exchanges_particles());
         }
-        progress.show("simulating", ++record_.frames_finished);
+        progress.show("simulating", number, ++record_.frames_finished);
       } else {
         particles_.push({number, std::move(kept.frame)});
       }
@@ -278,10 +316,9 @@ class Pipeline {
     WritingStage stage(scene_, options_, record_);
     while (auto image = images_.pop()) {
       stage.write(*image);
-      progress.show("rendering", ++record_.frames_finished);
+      progress.show("rendering", image->number, ++record_.frames_finished);
     }
-    if (record_.frames_finished > 0)
-      stage.finish();
+    stage.finish();
   }
 
   void make_folders() {
@@ -290,10 +327,6 @@ class Pipeline {
       fs::create_directories(options_.output / "meshes");
     if (options_.export_particles)
       fs::create_directories(options_.output / "particles_ply");
-    // Pictures beyond the end of this scene are left from a longer run of it.
-    for (int number = scene_.video.frame_count();; ++number)
-      if (!fs::remove(options_.output / "frames" / fmt::format("{:04}.png", number)))
-        break;
   }
 
   const Scene& scene_;
@@ -302,6 +335,7 @@ class Pipeline {
   BoundedQueue<NumberedFrame> coming_{particles_capacity};
   BoundedQueue<NumberedParticles> particles_{particles_capacity};
   BoundedQueue<NumberedImage> images_{queue_capacity};
+  std::thread drawing_, writing_, keeping_;
   std::exception_ptr failure_;
   std::mutex failure_mutex_;
 };

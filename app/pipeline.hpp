@@ -2,6 +2,7 @@
 // frame is simulated while the last one is kept, drawn and written.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,10 +17,8 @@ namespace spindrift::app {
 
 /// What a run did, for reports.
 struct RunRecord {
-  std::size_t particles = 0;  ///< the most at once
-  std::size_t boundary_particles = 0;
-  std::size_t simulation_bytes = 0;           ///< 0: all particles came from the cache
-  std::optional<sim::BackendChoice> backend;  ///< none: all particles came from the cache
+  std::size_t particles = 0;    ///< the most at once
+  SimulationRecord simulation;  ///< how they came about, in this run or before
   int first_frame = 0;
   int frames_wanted = 0;
   int frames_simulated = 0;  ///< the rest came from the cache
@@ -28,10 +27,10 @@ struct RunRecord {
   bool interrupted = false;
   double wall_seconds = 0;
   std::map<std::string, double> stage_seconds;  ///< wall time in each stage; stages overlap
-  std::vector<sim::PhaseTime> simulation_phases;
   std::vector<sim::FrameStatistics> frames;  ///< one for each frame from 0 to the last one reached
   std::vector<double> times;                 ///< of those frames, s
   std::vector<ProbeReading> probe_readings;  ///< in the order of their times
+  std::filesystem::path video;               ///< that was written; empty: none
   std::string gl_renderer, gl_version, egl_device;  ///< empty: nothing was drawn
 };
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace spindrift::app {
 
@@ -17,39 +18,71 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
 
-Progress::Progress(std::string scene, int frames, std::size_t particles, bool quiet)
-    : scene_(std::move(scene)),
+bool LogPace::is_due(double part) {
+  using namespace std::chrono;
+  const auto now = steady_clock::now();
+  const bool due = told_part_ < 0 || std::floor(10 * part) > std::floor(10 * told_part_) ||
+                   now - told_ >= seconds(30);
+  if (due) {
+    told_part_ = part;
+    told_ = now;
+  }
+  return due;
+}
+
+Progress::Progress(const Scene& scene, const RenderOptions& options, int frames,
+                   std::size_t particles)
+    : scene_(scene.name),
       frames_(frames),
+      frames_per_second_(scene.video.frames_per_second),
       particles_(particles),
-      visible_(!quiet && isatty(STDERR_FILENO)) {}
+      form_(options.progress == ProgressKind::json ? Form::json
+            : options.quiet                        ? Form::none
+            : isatty(STDERR_FILENO)                ? Form::terminal
+                                                   : Form::log) {
+  if (form_ == Form::log && pace_.is_due(0))
+    fmt::print(stderr, "{}: {} frames, {} particles at the start\n", scene_, frames_, particles);
+}
 
 Progress::~Progress() {
-  clear();
-}
-
-void Progress::show(const char* stage, int done) {
-  using std::chrono::steady_clock;
-  if (!visible_)
-    return;
-  const auto now = steady_clock::now();
-  if (done < frames_ && now - last_shown_ < std::chrono::milliseconds(100))
-    return;
-  last_shown_ = now;
-  const std::chrono::duration<double> spent = now - start_;
-  const std::string left =
-      done > 0 ? duration_text(spent.count() / done * (frames_ - done)) + " left" : "starting";
-  fmt::print(stderr, "\r\033[K{}  {}  frame {}/{}  {} particles  {}", scene_, stage, done, frames_,
-             particles_.load(), left);
-  std::fflush(stderr);
-  drawn_ = true;
-}
-
-void Progress::clear() {
   if (!drawn_)
     return;
   fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
-  drawn_ = false;
+}
+
+void Progress::show(const char* stage, int number, int done) {
+  if (form_ == Form::none)
+    return;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+  const double left = spent.count() / done * (frames_ - done);
+  if (form_ == Form::terminal) {
+    show_on_terminal(stage, done, left);
+  } else if (form_ == Form::json) {
+    const nlohmann::ordered_json line{{"frame", number},
+                                      {"finished", done},
+                                      {"of", frames_},
+                                      {"time", number / frames_per_second_},
+                                      {"particles", particles_.load()},
+                                      {"seconds", spent.count()},
+                                      {"seconds_left", left}};
+    fmt::print(stderr, "{}\n", line.dump());
+  } else if (pace_.is_due(static_cast<double>(done) / frames_)) {
+    fmt::print(stderr, "{}: {} frame {} of {}, {} particles, {} left\n", scene_, stage, done,
+               frames_, particles_.load(), duration_text(left));
+  }
+}
+
+void Progress::show_on_terminal(const char* stage, int done, double seconds_left) {
+  using std::chrono::steady_clock;
+  const auto now = steady_clock::now();
+  if (done < frames_ && now - last_shown_ < std::chrono::milliseconds(100))
+    return;
+  last_shown_ = now;
+  fmt::print(stderr, "\r\033[K{}  {}  frame {}/{}  {} particles  {} left", scene_, stage, done,
+             frames_, particles_.load(), duration_text(seconds_left));
+  std::fflush(stderr);
+  drawn_ = true;
 }
 
 }  // namespace spindrift::app

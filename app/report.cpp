@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numeric>
+#include <string_view>
 
 #include "app/progress.hpp"
 #include "app/scene_values.hpp"
@@ -35,6 +37,33 @@ sim::Exchange total_exchange(const RunRecord& record) {
   for (const auto& f : record.frames)
     sum += f.exchange;
   return sum;
+}
+
+/// What a run says of its own error where that is clearly beyond what was asked for.
+std::vector<std::string> warnings_of(const Scene& scene, double mean, double largest) {
+  constexpr double margin = 1.5;  // a step that is refused often is allowed more than was asked for
+  constexpr double most_of_sph = 0.03;  // three times what a tenth of the speed of sound makes
+  const sim::SolverSettings& solver = scene.simulation.solver;
+  std::vector<std::string> warnings;
+  if (solver.type == sim::SolverType::sph) {
+    if (mean > most_of_sph)
+      warnings.push_back(fmt::format(
+          "the liquid is compressed by {:.1f} % in the mean of the worst frame: "
+          "solver.speed_of_sound is too low for its speed and depth; ten times the fastest speed "
+          "keeps it near 1 %",
+          100 * mean));
+    return warnings;
+  }
+  const auto look = [&](std::string_view what, double found, std::string_view key, double asked) {
+    if (found > margin * asked)
+      warnings.push_back(
+          fmt::format("{} is {:.3g} % in the worst frame, beyond the {:.3g} % of {}: there the "
+                      "liquid has less room than it needs",
+                      what, 100 * found, 100 * asked, key));
+  };
+  look("the largest compression", largest, "solver.max_compression", solver.max_compression);
+  look("the mean compression", mean, "solver.mean_compression", solver.mean_compression);
+  return warnings;
 }
 
 nlohmann::ordered_json frames_json(const Scene& scene, const RunRecord& record) {
@@ -93,40 +122,43 @@ std::string machine_text() {
                      SPINDRIFT_VERSION, SPINDRIFT_COMPILER);
 }
 
-nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record) {
+nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record,
+                                   const nlohmann::ordered_json& earlier) {
   nlohmann::ordered_json json;
-  json["name"] = scene.name;
-  json["complete"] = !record.interrupted && record.frames_finished == record.frames_wanted;
-  json["versions"] = versions_json();
   json["gl"] = {{"renderer", record.gl_renderer},
                 {"version", record.gl_version},
                 {"device", record.egl_device}};
-  json["simulation_hash"] = simulation_hash(scene);
   json["particles"] = record.particles;
-  json["boundary_particles"] = record.boundary_particles;
-  json["simulation_bytes"] = record.simulation_bytes;
-  if (record.backend)
-    json["backend"] = {{"name", json_of(record.backend->backend)},
-                       {"reason", record.backend->reason}};
+  json["boundary_particles"] = record.simulation.boundary_particles;
+  json["simulation_bytes"] = record.simulation.bytes;
+  if (record.simulation.backend)
+    json["backend"] = json_of(*record.simulation.backend);
   json["first_frame"] = record.first_frame;
   json["frames_wanted"] = record.frames_wanted;
   json["frames_finished"] = record.frames_finished;
   json["frames_simulated"] = record.frames_simulated;
   json["wall_seconds"] = record.wall_seconds;
   json["stage_seconds"] = record.stage_seconds;
-  auto phases = nlohmann::ordered_json::object();
-  for (const auto& phase : record.simulation_phases)
-    phases[phase.name] = {{"seconds", phase.seconds}, {"calls", phase.calls}};
-  json["simulation_phases"] = phases;
-  json["steps"] = total(record.frames, &sim::FrameStatistics::steps);
-  json["rejected_steps"] = total(record.frames, &sim::FrameStatistics::rejected_steps);
-  json["iterations"] = total(record.frames, &sim::FrameStatistics::iterations);
-  json["worst_mean_compression"] = worst(record.frames, &sim::FrameStatistics::mean_compression);
-  json["worst_max_compression"] = worst(record.frames, &sim::FrameStatistics::max_compression);
+  json["simulation_seconds"] = record.simulation.seconds;
+  json["simulation_phases"] = json_of(record.simulation.phases);
+  auto frames = frames_json(scene, record);
+  for (std::size_t k = frames.size(); k < earlier.size(); ++k)
+    frames.push_back(earlier[k]);
+  for (const char* key : {"steps", "rejected_steps", "iterations"})
+    json[key] = std::accumulate(frames.begin(), frames.end(), std::int64_t{0},
+                                [&](std::int64_t sum, const auto& frame) {
+                                  return sum + frame.at(key).template get<std::int64_t>();
+                                });
+  for (const char* key : {"mean_compression", "max_compression"})
+    json[fmt::format("worst_{}", key)] =
+        std::accumulate(frames.begin(), frames.end(), 0., [&](double most, const auto& frame) {
+          return std::max(most, frame.at(key).template get<double>());
+        });
+  json["warnings"] = warnings_of(scene, json["worst_mean_compression"].get<double>(),
+                                 json["worst_max_compression"].get<double>());
   if (!scene.probes.empty())
     json["probes"] = {{"table", "probes.csv"}, {"report", "probes.html"}};
-  json["frames"] = frames_json(scene, record);
-  json["scene"] = to_json(scene);
+  json["frames"] = std::move(frames);
   return json;
 }
 
@@ -147,9 +179,12 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
       "  {} steps, {:.2f} pressure iterations a step, {} steps repeated smaller\n", steps,
       static_cast<double>(iterations) / static_cast<double>(std::max<std::int64_t>(1, steps)),
       total(record.frames, &sim::FrameStatistics::rejected_steps));
+  const double mean = worst(record.frames, &sim::FrameStatistics::mean_compression),
+               largest = worst(record.frames, &sim::FrameStatistics::max_compression);
   fmt::print("  density error, worst frame: mean compression {:.3f} %, largest {:.2f} %\n",
-             100 * worst(record.frames, &sim::FrameStatistics::mean_compression),
-             100 * worst(record.frames, &sim::FrameStatistics::max_compression));
+             100 * mean, 100 * largest);
+  for (const std::string& warning : warnings_of(scene, mean, largest))
+    fmt::print("  warning: {}\n", warning);
   if (scene.simulation.exchanges_particles()) {
     const sim::Exchange e = total_exchange(record);
     fmt::print(
@@ -161,8 +196,8 @@ void print_table(const Scene& scene, const RenderOptions& options, const RunReco
           "lie four spacings behind the opening\n",
           e.held_back);
   }
-  if (!options.simulate_only)
-    fmt::print("  {}\n", (options.output / "video.mp4").string());
+  if (!record.video.empty())
+    fmt::print("  {}\n", record.video.string());
   if (!scene.probes.empty())
     fmt::print("  {}\n", (options.output / "probes.html").string());
 }

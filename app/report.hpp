@@ -7,7 +7,11 @@
 
 namespace spindrift::app {
 
-nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record);
+/// What a run did, for run.json.
+/// @param earlier the entries of an earlier run of the same simulation for each frame: a run of the
+/// first frames alone keeps what is known of those after them
+nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record,
+                                   const nlohmann::ordered_json& earlier);
 void print_table(const Scene& scene, const RenderOptions& options, const RunRecord& record);
 
 /// Version of the program, of its compiler and of what it writes with.

@@ -10,7 +10,8 @@
 #include "app/exchange_checks.hpp"
 #include "app/scene_fields.hpp"
 #include "sim/initial.hpp"
-#include "sim/simulation.hpp"
+#include "sim/shapes.hpp"
+#include "sim/shapes/measures.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -137,12 +138,13 @@ class Checker {
     double count = 0.;
     for (std::size_t i = 0; i < fluid.volumes.size(); ++i) {
       check_shape(fluid.volumes[i].shape, child_path("fluid.volumes", i));
-      count += shape_volume(fluid.volumes[i].shape) / cell;
+      check_place(fluid.volumes[i].shape, child_path("fluid.volumes", i));
+      count += sim::volume_of(fluid.volumes[i].shape) / cell;
     }
     for (const sim::Emitter& emitter : fluid.emitters) {
       const double until = std::min(static_cast<double>(emitter.to), scene_.video.duration);
       const double time = std::max(0., until - emitter.from);
-      double more = opening_area(emitter.opening) * emitter.speed * time / cell;
+      double more = sim::area_of(emitter.opening) * emitter.speed * time / cell;
       if (emitter.max_particles > 0) {
         more = std::min(more, static_cast<double>(emitter.max_particles));
       }
@@ -153,28 +155,60 @@ class Checker {
                                         "accepted",
                                         fluid.spacing, count, most_particles));
     }
-    for (std::size_t i = 0; i < fluid.volumes.size(); ++i) {
-      check_particles(fluid.volumes[i], child_path("fluid.volumes", i));
+    const double on_walls = count_boundary_particles(scene_.simulation);
+    if (on_walls > most_particles) {
+      fail("fluid.spacing",
+           fmt::format("{:g} m makes about {:.2g} particles on walls and obstacles; at most {:.0e} "
+                       "are accepted",
+                       fluid.spacing, on_walls, most_particles));
+    }
+    check_liquid();
+  }
+
+  /// Liquid may reach half a spacing beyond the domain: no particle would be there.
+  void check_place(const sim::Shape& shape, const std::string& path) const {
+    const auto& domain = scene_.simulation.domain;
+    const sim::Box bounds = sim::bounds_of(shape);
+    const float tolerance = 0.501f * scene_.simulation.fluid.spacing;
+    if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
+        glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
+      fail(path, fmt::format("{:.3g} litres from {} to {}, which is outside the domain {} ... {}",
+                             1000. * sim::volume_of(shape), text_of(bounds.min),
+                             text_of(bounds.max), text_of(domain.min), text_of(domain.max)));
     }
   }
 
-  void check_particles(const sim::Volume& volume, const std::string& path) const {
-    const auto& domain = scene_.simulation.domain;
-    const float spacing = scene_.simulation.fluid.spacing;
-    sim::Settings alone = scene_.simulation;
-    alone.fluid.volumes = {volume};
-    const auto particles = sim::fill_volumes(alone);
-    if (particles.positions.empty()) {
-      fail(path, fmt::format("holds no particle at a spacing of {:g} m", spacing));
+  /// Something is left of every volume.
+  void check_liquid() const {
+    const sim::Settings& settings = scene_.simulation;
+    if (!is_cheap_to_fill(settings)) {
+      return;
     }
-    const float tolerance = 1e-3f * spacing;
-    for (const glm::vec3& p : particles.positions) {
-      if (glm::any(glm::lessThan(p, domain.min - tolerance)) ||
-          glm::any(glm::greaterThan(p, domain.max + tolerance))) {
-        fail(path, fmt::format("the particle at {} is outside the domain {} ... {}", text_of(p),
-                               text_of(domain.min), text_of(domain.max)));
+    const std::vector<sim::FilledVolume> filled = sim::count_volumes(settings);
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+      if (filled[i].placed > 0) {
+        continue;
       }
+      const std::string path = child_path("fluid.volumes", i);
+      const auto& inside = filled[i].in_obstacles;
+      const auto most = std::max_element(inside.begin(), inside.end());
+      if (most != inside.end() && *most > 0) {
+        fail(path, fmt::format("all of its {:.3g} litres are inside obstacles[{}]{}; move either, "
+                               "or leave one out",
+                               1000. * sim::volume_of(settings.fluid.volumes[i].shape),
+                               most - inside.begin(), hint_of(settings, most - inside.begin())));
+      }
+      fail(path, fmt::format("holds no particle at a spacing of {:g} m", settings.fluid.spacing));
     }
+  }
+
+  /// What is inside a mesh may surprise.
+  static std::string hint_of(const sim::Settings& settings, std::ptrdiff_t obstacle) {
+    const sim::Shape& shape = settings.obstacles[static_cast<std::size_t>(obstacle)].shape;
+    return std::holds_alternative<sim::TriangleMesh>(shape)
+               ? ", a mesh that is solid there: for a hollow one, its inner surface must face "
+                 "inward"
+               : "";
   }
 
   void check_emitters_and_sinks() const {

@@ -2,6 +2,7 @@
 
 #include "app/camera.hpp"
 #include "render/surface/surface.hpp"
+#include "sim/fill.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -34,7 +35,7 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::optional<int> cuda_device)
 }
 
 Mesh SceneDrawing::surface_of(const sim::Frame& frame) const {
-  return surface::reconstruct_surface(frame.positions, scene_.simulation.fluid.spacing,
+  return surface::reconstruct_surface(frame.positions, sim::particle_spacing(scene_.simulation),
                                       scene_.surface);
 }
 

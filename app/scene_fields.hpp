@@ -133,8 +133,9 @@ inline constexpr auto table<sim::Emitter> = std::tuple{
 
 template <>
 inline constexpr auto table<sim::FluidSettings> = std::tuple{
-    Field{"spacing", &sim::FluidSettings::spacing, "distance between particle centres at rest",
-          Range{1e-6, 100.}, "m"},
+    Field{"spacing", &sim::FluidSettings::spacing,
+          "distance between particle centres at rest, fitted to the volumes", Range{1e-6, 100.},
+          "m"},
     Field{"rest_density", &sim::FluidSettings::rest_density, "density of the liquid at rest",
           Range{1e-3, 1e5}, "kg/m³"},
     Field{"viscosity", &sim::FluidSettings::viscosity, "dynamic viscosity", Range{0., 1e4}, "Pa·s"},
@@ -150,8 +151,8 @@ inline constexpr auto table<sim::FluidSettings> = std::tuple{
           "air to it",
           Range{90., 180.}, "degrees"},
     Field{"volumes", &sim::FluidSettings::volumes,
-          "regions filled with liquid at the start; a box's outermost particle centres lie half a "
-          "spacing inside its faces; none if there are only emitters"},
+          "regions filled with liquid at the start, but for what obstacles take up; particles on a "
+          "lattice that fits a box from face to face; none if there are only emitters"},
     Field{"emitters", &sim::FluidSettings::emitters,
           "openings that liquid enters through; each has a nozzle of four spacings behind it"}};
 

@@ -84,22 +84,43 @@ class MeshLoader {
   std::filesystem::path folder_;
 };
 
+/// Calls f(shape, path) for all shapes of a scene.
+template <class Scene, class F>
+void for_each_shape(Scene& scene, F f) {
+  auto& simulation = scene.simulation;
+  for (std::size_t i = 0; i < simulation.fluid.volumes.size(); ++i) {
+    f(simulation.fluid.volumes[i].shape, child_path("fluid.volumes", i));
+  }
+  for (std::size_t i = 0; i < simulation.obstacles.size(); ++i) {
+    f(simulation.obstacles[i].shape, child_path("obstacles", i));
+  }
+  for (std::size_t i = 0; i < simulation.sinks.size(); ++i) {
+    f(simulation.sinks[i].shape, child_path("sinks", i));
+  }
+}
+
 }  // namespace
 
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder) {
   const MeshLoader loader(scene, document, folder);
-  auto& volumes = scene.simulation.fluid.volumes;
-  for (std::size_t i = 0; i < volumes.size(); ++i) {
-    loader.load(volumes[i].shape, child_path("fluid.volumes", i));
-  }
-  auto& obstacles = scene.simulation.obstacles;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    loader.load(obstacles[i].shape, child_path("obstacles", i));
-  }
-  auto& sinks = scene.simulation.sinks;
-  for (std::size_t i = 0; i < sinks.size(); ++i) {
-    loader.load(sinks[i].shape, child_path("sinks", i));
-  }
+  for_each_shape(scene,
+                 [&](sim::Shape& shape, const std::string& path) { loader.load(shape, path); });
+}
+
+std::vector<Complaint> mesh_warnings(const Scene& scene) {
+  std::vector<Complaint> warnings;
+  for_each_shape(scene, [&](const sim::Shape& shape, const std::string& path) {
+    const auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
+    const std::size_t shells = mesh ? inner_shells(mesh->body->surface()) : 0;
+    if (shells > 0) {
+      warnings.push_back(
+          {child_path(path, "mesh"),
+           fmt::format(
+               "{} has {} inner shell{}: what is within {} is hollow, whichever way triangles face",
+               mesh->file, shells, shells == 1 ? "" : "s", shells == 1 ? "it" : "them")});
+    }
+  });
+  return warnings;
 }
 
 }  // namespace spindrift::app

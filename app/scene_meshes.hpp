@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "app/exchange_checks.hpp"
 #include "app/scene.hpp"
 #include "app/scene_document.hpp"
 
@@ -12,5 +14,8 @@ namespace spindrift::app {
 /// from
 /// @throws SceneError that names the value's place
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
+
+/// The scene's meshes that have cavities, with the path of each.
+std::vector<Complaint> mesh_warnings(const Scene& scene);
 
 }  // namespace spindrift::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "app/particle_cache.hpp"
 
@@ -45,31 +44,27 @@ fs::path SweepFolder::difference(const SweepRun& a, const SweepRun& b) const {
 }
 
 bool SweepFolder::is_simulated(const SweepRun& run) const {
-  const ParticleCache cache(particles(run));
+  const ParticleCache cache(particles(run), simulation_hash(run.scene));
   for (int k = run.scene.video.frame_count(); k-- > 0;)
-    if (!cache.has(k))
+    if (!cache.find(k))
       return false;
   return true;
 }
 
 bool SweepFolder::is_drawn(const SweepRun& run) const {
   const Json report = json_in(this->run(run) / "run.json");
-  return report.is_object() && report.value("complete", false) &&
-         report.value("simulation_hash", "") == simulation_hash(run.scene) &&
-         report.value("/versions/spindrift"_json_pointer, "") == SPINDRIFT_VERSION &&
-         report.contains("scene") && report.at("scene") == to_json(run.scene) &&
-         fs::exists(this->run(run) / "video.mp4");
+  const auto has = [&](const Json& in, const char* key, const Json& value) {
+    return in.is_object() && in.value(key, Json()) == value;
+  };
+  return has(report, "complete", true) &&
+         has(report, "simulation_hash", simulation_hash(run.scene)) &&
+         has(report.value("versions", Json()), "spindrift", SPINDRIFT_VERSION) &&
+         has(report, "scene", to_json(run.scene)) && fs::exists(this->run(run) / "video.mp4");
 }
 
 bool SweepFolder::is_compared(const SweepPlan& plan, const SweepPair& pair) const {
   const Json found = json_in(difference(plan.runs[pair.a], plan.runs[pair.b]) / differences_file);
   return found.is_object() && found.contains("of") && found.at("of") == comparison_of(plan, pair);
-}
-
-Json json_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Json json = stream ? Json::parse(stream, nullptr, false) : Json();
-  return json.is_discarded() ? Json() : json;
 }
 
 int frame_at(const VideoConfig& video, double time) {

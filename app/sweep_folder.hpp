@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/json_file.hpp"
 #include "app/sweep_plan.hpp"
 
 namespace spindrift::app {
@@ -39,9 +40,6 @@ inline constexpr const char* seconds_file = "seconds.txt";
 
 /// What a comparison leaves besides its pictures.
 inline constexpr const char* differences_file = "differences.json";
-
-/// JSON of a file; null where there is none or it is not JSON.
-Json json_in(const std::filesystem::path& file);
 
 /// Number of the frame at a time, or of the last one.
 int frame_at(const VideoConfig& video, double time);

@@ -19,6 +19,7 @@
 #include "app/commands.hpp"
 #include "app/folder_lock.hpp"
 #include "app/process.hpp"
+#include "app/threads.hpp"
 #include "render/compare/metrics.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
@@ -33,7 +34,7 @@ class Stopwatch {
  public:
   explicit Stopwatch(fs::path file) : file_(std::move(file)) {
     std::ifstream(file_) >> before_;
-    thread_ = std::thread([this] { run(); });
+    thread_ = started_thread([this] { run(); });
   }
   ~Stopwatch() {
     {
@@ -72,7 +73,7 @@ Json render_job(const SweepPlan& plan, const SweepRun& run, int threads, const f
   return {{"parent", ::getpid()},
           {"threads", threads},
           {"output", output.string()},
-          {"scene_file", plan.scene_file.string()},
+          {"scene_file", fs::absolute(plan.scene_file).string()},
           {"scene", to_json(run.scene)}};
 }
 
@@ -84,25 +85,26 @@ RenderOptions options_of(const Json& job) {
   RenderOptions options;
   options.output = job.at("output").get<std::string>();
   options.threads = job.at("threads");
+  options.scene_file = job.at("scene_file").get<std::string>();
+  options.replace = true;  // the sweep's folder is for whatever the sweep is now
   options.quiet = true;
   return options;
 }
 
-int simulate(const Json& job) {
+int simulate(const Json& job, const FolderLock& lock) {
   Scene scene = scene_of(job);
   if (scene.probes_rate == 0)
     scene.probes.clear();  // read from the kept frames, by each run its own
   RenderOptions options = options_of(job);
   options.simulate_only = true;
   const Stopwatch stopwatch(options.output / seconds_file);
-  return run_render(scene, options);
+  return run_render(scene, options, lock);
 }
 
-int draw(const Json& job) {
+int draw(const Json& job, const FolderLock& lock) {
   RenderOptions options = options_of(job);
   options.from_particles = job.at("particles").get<std::string>();
-  fs::remove(options.output / "run.json");  // it would speak for another run's pictures
-  return run_render(scene_of(job), options);
+  return run_render(scene_of(job), options, lock);
 }
 
 int compare_runs(const Json& job) {
@@ -128,18 +130,6 @@ int compare_runs(const Json& job) {
                     {"changed", m.changed}, {"frames", frames},       {"of", of}};
   output::write_file(output / differences_file, report.dump(1) + "\n");
   return done;
-}
-
-/// Removes what a process that was ended by force was about to write (output::AtomicFile's names).
-void remove_leftovers(const fs::path& folder) {
-  std::vector<fs::path> leftovers;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(".") && name.find(".part") != std::string::npos)
-      leftovers.push_back(entry.path());
-  }
-  for (const fs::path& file : leftovers)
-    fs::remove(file);
 }
 
 /// The first line of what a program complained about.
@@ -201,9 +191,11 @@ int run_sweep_job() {
   ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0);  // of Mesa's software renderer
   const fs::path output = job.at("output").get<std::string>();
   const FolderLock lock(output, true);
-  remove_leftovers(output);
+  require_threads(threads_of_run(threads));
   const auto what = job.at("do").get<std::string>();
-  return what == "simulate" ? simulate(job) : what == "draw" ? draw(job) : compare_runs(job);
+  return what == "simulate" ? simulate(job, lock)
+         : what == "draw"   ? draw(job, lock)
+                            : compare_runs(job);
 }
 
 }  // namespace spindrift::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "app/nearest_name.hpp"
 #include "app/report.hpp"
+#include "render/output/input_file.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -37,10 +39,17 @@ const std::vector<RunFigure>& run_figures() {
   return figures;
 }
 
-/// probes.csv by its columns; NaN where a cell is empty.
+/// NaN where a cell is empty, or no number.
+double cell_value(const std::string& cell) {
+  double value = std::nan("");
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc() && end == cell.data() + cell.size() ? value : std::nan("");
+}
+
+/// probes.csv by its columns; none where there is no such file.
 std::vector<std::pair<std::string, std::vector<double>>> read_columns(const fs::path& file) {
   std::vector<std::pair<std::string, std::vector<double>>> columns;
-  std::ifstream stream(file);
+  std::istringstream stream(fs::is_regular_file(file) ? output::read_file(file) : std::string());
   for (std::string line; std::getline(stream, line);) {
     std::size_t column = 0, begin = 0;
     const bool header = columns.empty();
@@ -50,8 +59,7 @@ std::vector<std::pair<std::string, std::vector<double>>> read_columns(const fs::
       if (header)
         columns.push_back({cell, {}});
       else if (column < columns.size())
-        columns[column++].second.push_back(cell.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                        : std::stod(cell));
+        columns[column++].second.push_back(cell_value(cell));
       begin = end + 1;
     }
   }
@@ -97,6 +105,12 @@ void read_probe_figures(const fs::path& file, SweepResult& result) {
   }
 }
 
+/// A number of an object; 0 where it has none of that name.
+double number_in(const Json& json, const std::string& name) {
+  const Json value = json.is_object() ? json.value(name, Json()) : Json();
+  return value.is_number() ? value.get<double>() : 0.;
+}
+
 void read_run(const SweepRun& run, const SweepFolder& folder, SweepResult& result) {
   result.complete = result.failure.empty() && folder.is_drawn(run);
   if (!result.complete)
@@ -104,7 +118,7 @@ void read_run(const SweepRun& run, const SweepFolder& folder, SweepResult& resul
   const Json report = json_in(folder.run(run) / "run.json");
   for (const RunFigure& figure : run_figures())
     if (!figure.in_report.empty())
-      result.figures[figure.metric.name] = report.value(figure.in_report, 0.);
+      result.figures[figure.metric.name] = number_in(report, figure.in_report);
   double seconds = 0;
   if (std::ifstream(folder.simulation(run) / seconds_file) >> seconds)
     result.figures["simulation_seconds"] = seconds;
@@ -147,11 +161,11 @@ Json comparisons_json(const SweepPlan& plan, const SweepFolder& folder,
                    {"b", plan.runs[pair.b].name},
                    {"folder", fs::relative(place, folder.root()).string()},
                    {"all_frames", pair.all_frames},
-                   {"flip", found.at("flip")},
-                   {"ssim", found.at("ssim")},
-                   {"changed", found.at("changed")},
-                   {"frames", found.at("frames")},
-                   {"pictures", found.at("of").at("pictures")}});
+                   {"flip", number_in(found, "flip")},
+                   {"ssim", number_in(found, "ssim")},
+                   {"changed", number_in(found, "changed")},
+                   {"frames", found.value("frames", Json::array())},
+                   {"pictures", comparison_of(plan, pair).at("pictures")}});
   }
   return all;
 }
@@ -203,7 +217,7 @@ std::vector<SweepResult> read_results(const SweepPlan& plan, const SweepFolder& 
     if (!pair.all_frames || !results[other].complete || !folder.is_compared(plan, pair))
       continue;
     const fs::path place = folder.difference(plan.runs[pair.a], plan.runs[pair.b]);
-    results[other].figures["flip"] = json_in(place / differences_file).at("flip");
+    results[other].figures["flip"] = number_in(json_in(place / differences_file), "flip");
   }
   if (plan.reference && results[*plan.reference].complete)
     results[*plan.reference].figures["flip"] = 0;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 
@@ -137,15 +136,6 @@ class Schedule {
 };
 
 }  // namespace
-
-std::uint64_t free_memory() {
-  std::ifstream stream("/proc/meminfo");
-  const std::string_view name = "MemAvailable:";
-  for (std::string line; std::getline(stream, line);)
-    if (line.starts_with(name))
-      return std::stoull(line.substr(name.size())) * 1024 / 10 * 9;
-  return UINT64_MAX;
-}
 
 SweepDone carry_out(const SweepPlan& plan, const SweepFolder& folder, const SweepRoom& room,
                     const std::atomic<bool>& stop,

@@ -24,9 +24,6 @@ struct SweepDone {
   int threads = 1;                                     ///< of each task
 };
 
-/// Memory that is free now, less a tenth, bytes.
-std::uint64_t free_memory();
-
 SweepDone carry_out(const SweepPlan& plan, const SweepFolder& folder, const SweepRoom& room,
                     const std::atomic<bool>& stop,
                     const std::function<void(const PoolStatus&)>& on_change);

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <thread>
 
+#include "app/threads.hpp"
+
 namespace spindrift::app {
 namespace {
 
@@ -25,8 +27,14 @@ class Pool {
   std::vector<TaskResult> run() {
     const auto count = std::min(tasks_.size(), static_cast<std::size_t>(limits_.at_once));
     std::vector<std::thread> threads;
-    for (std::size_t i = 0; i < count; ++i)
-      threads.emplace_back([this] { work(); });
+    threads.reserve(count);
+    try {
+      while (threads.size() < count)
+        threads.push_back(started_thread([this] { work(); }));
+    } catch (const std::runtime_error&) {
+      if (threads.empty())
+        throw;  // else those that there are do it all
+    }
     for (std::thread& thread : threads)
       thread.join();
     return std::move(results_);

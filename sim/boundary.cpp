@@ -81,18 +81,21 @@ void place_sentinel(PointField& field, std::uint32_t n) {
 
 /// Samples of the domain's walls and of all obstacles, those left out that are beyond the walls and
 /// never near any liquid.
-std::vector<SurfaceSample> sample_all(const Settings& settings) {
+std::vector<SurfaceSample> sample_all(const Settings& settings, Stop stop) {
   const float spacing = settings.fluid.spacing;
+  const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
   std::vector<SurfaceSample> samples;
   for (const glm::vec3 p : sample_walls(settings.domain, spacing))
     samples.push_back({p, SurfaceSample::Side::domain});
   for (const Obstacle& obstacle : settings.obstacles) {
+    throw_if_stopped(stop);
+    if (is_apart(bounds_of(obstacle.shape), {low, high}))
+      continue;
     auto more = sample_surface(obstacle.shape, spacing);
     for (SurfaceSample& sample : more)
       sample.wall_viscosity = obstacle.wall_viscosity;
     samples.insert(samples.end(), more.begin(), more.end());
   }
-  const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
   std::erase_if(samples, [&](const SurfaceSample& s) {
     return glm::any(glm::lessThan(s.position, low)) || glm::any(glm::greaterThan(s.position, high));
   });
@@ -101,11 +104,11 @@ std::vector<SurfaceSample> sample_all(const Settings& settings) {
 
 }  // namespace
 
-Boundary::Boundary(const Settings& settings, const GridMap& map, float radius)
-    : Boundary(settings, sample_all(settings), map, radius) {}
+Boundary::Boundary(const Settings& settings, const GridMap& map, float radius, Stop stop)
+    : Boundary(settings, sample_all(settings, stop), map, radius, stop) {}
 
 Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& unsorted,
-                   const GridMap& map, float radius) {
+                   const GridMap& map, float radius, Stop stop) {
   count_ = static_cast<std::uint32_t>(unsorted.size());
   position_.resize(count_);
   const auto place = [&](std::uint32_t i, const SurfaceSample& s) {
@@ -123,8 +126,8 @@ Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& u
   grid_.forget_order();
 
   const CubicKernel kernel(radius);
-  measure_volumes(settings, samples, map, kernel, radius);
-  measure_solids(settings, samples, kernel, radius);
+  measure_volumes(settings, samples, map, kernel, radius, stop);
+  measure_solids(settings, samples, kernel, radius, stop);
   pressure_.resize(count_);
   step_pressure_.resize(count_);
   compression_.resize(count_);
@@ -192,7 +195,8 @@ void Boundary::replace(Executor& executor, const Array<Sample>& samples,
 /// stands at an angle to it: with two layers, that counts both; with one, it keeps the volumes from
 /// shrinking where walls meet.
 void Boundary::measure_volumes(const Settings& settings, const std::vector<SurfaceSample>& samples,
-                               const GridMap& map, const CubicKernel& kernel, float radius) {
+                               const GridMap& map, const CubicKernel& kernel, float radius,
+                               Stop stop) {
   const float spacing = settings.fluid.spacing;
   const glm::vec3 step = wall_lattice_step(settings.domain, spacing) / spacing;
   const float wall_volume = std::pow(step.x * step.y * step.z, 2.f / 3) /
@@ -207,6 +211,8 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
   lists.build(map, grid_, position_.view(), count_, grid_, position_.view(), count_, radius);
   const PointView position = position_.view();
   for (std::uint32_t i = 0; i < count_; ++i) {
+    if (i % 4096 == 0)
+      throw_if_stopped(stop);
     const Vec3<float> xi = position[i];
     const auto sum_at = [&](const Vec3<float>& out) {
       const Vec3<float> x = xi + spacing * out;
@@ -242,7 +248,7 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
 /// wall the known lattice sum, elsewhere (edges, corners, curved obstacles) that in proportion to
 /// the free space. In one of two layers, liquid on the wall's other side does not count.
 void Boundary::measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
-                              const CubicKernel& kernel, float radius) {
+                              const CubicKernel& kernel, float radius, Stop stop) {
   const float spacing = settings.fluid.spacing;
   const SupportLattice support(kernel, radius);
   const double flat = support.free_part([&](const Vec3<float>& p) { return p.y > 0.5f * spacing; });
@@ -259,6 +265,8 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
   const PointView position = position_.view();
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::uint32_t i = 0; i < count_; ++i) {
+    if (is_stopped(stop))
+      continue;
     const Vec3<float> xi = position[i];
     const SurfaceSample& sample = samples[i];
     const auto is_open = [&](const Vec3<float>& p) {
@@ -281,6 +289,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
         at_bare_wall ? volume * lattice : std::max(share * open / flat, volume * lattice);
     solid_[i] = 1 - static_cast<float>(liquid);
   }
+  throw_if_stopped(stop);
 }
 
 std::size_t Boundary::memory_bytes() const {

@@ -7,18 +7,19 @@
 #include "sim/particles.hpp"
 #include "sim/settings.hpp"
 #include "sim/shapes/surface_sample.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Boundary {
  public:
   /// Samples the domain's walls and all obstacles, sorts the samples into the cells of `map` and
-  /// gives each its volume. `radius` is the support radius, m.
-  Boundary(const Settings& settings, const GridMap& map, float radius);
+  /// gives each its volume. `radius` is the support radius, m. @throws Stopped
+  Boundary(const Settings& settings, const GridMap& map, float radius, Stop stop);
 
   /// The same with samples that are given, of a solid whose surroundings are the settings'.
   Boundary(const Settings& settings, const std::vector<SurfaceSample>& samples, const GridMap& map,
-           float radius);
+           float radius, Stop stop);
 
   /// A sample and what it carries.
   struct Sample {
@@ -59,9 +60,9 @@ class Boundary {
 
  private:
   void measure_volumes(const Settings& settings, const std::vector<SurfaceSample>& samples,
-                       const GridMap& map, const CubicKernel& kernel, float radius);
+                       const GridMap& map, const CubicKernel& kernel, float radius, Stop stop);
   void measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
-                      const CubicKernel& kernel, float radius);
+                      const CubicKernel& kernel, float radius, Stop stop);
 
   std::uint32_t count_ = 0;
   PointField position_;         ///< m, with the volumes, m³

@@ -16,37 +16,55 @@ struct ContactView {
 
   /// The point itself, or the nearest one that is inside the domain and outside every obstacle, m.
   /// Beyond an open face there are no walls.
-  SPINDRIFT_HD Vec3<float> resolve(Vec3<float> p) const {
-    p = obstacles.hold(p);
+  SPINDRIFT_HD Vec3<float> resolve(const Vec3<float>& p) const {
+    return in_domain(obstacles.hold(p));
+  }
+
+  /// The same for a particle that goes there from `from`: no part of its way is in an obstacle. At
+  /// a surface it goes on along it; where that leads on into another, it may not get any further.
+  /// @param since where bodies that move are when it is at `from`
+  SPINDRIFT_HD Vec3<float> resolve(const Vec3<float>& from, Vec3<float> p,
+                                   Since since = Since::end) const {
+    if (!obstacles.any())
+      return in_domain(p);
+    p = resolve(obstacles.keep_out_of_bodies(from, p, since));
+    constexpr int most_surfaces = 8;
+    for (int k = 0; k < most_surfaces; ++k) {
+      const Vec3<float> before = p;
+      p = in_domain(obstacles.keep_out(from, p, since));
+      if (obstacles.any_moves())
+        p = in_domain(obstacles.hold_off_bodies(p));
+      if (p.x == before.x && p.y == before.y && p.z == before.z)
+        return p;
+    }
+    return obstacles.keep_out_of_bodies(from, from, since);
+  }
+
+  /// The same with walls of the domain that are a distance, m, further in.
+  SPINDRIFT_HD Vec3<float> resolve_off_walls(const Vec3<float>& from, const Vec3<float>& p,
+                                             float distance) const {
+    const Vec3<float> off{distance, distance, distance};
+    return ContactView{min + off, max - off, obstacles, open}.resolve(from, p);
+  }
+
+  /// The same, but no further off a wall than `start`, from which the particle came in this step.
+  SPINDRIFT_HD Vec3<float> stop_off_walls(const Vec3<float>& from, const Vec3<float>& p,
+                                          const Vec3<float>& start, float distance) const {
+    return ContactView{{lower(min.x, start.x, distance), lower(min.y, start.y, distance),
+                        lower(min.z, start.z, distance)},
+                       {upper(max.x, start.x, distance), upper(max.y, start.y, distance),
+                        upper(max.z, start.z, distance)},
+                       obstacles,
+                       open}
+        .resolve(from, p);
+  }
+
+ private:
+  SPINDRIFT_HD Vec3<float> in_domain(const Vec3<float>& p) const {
     if (open.any && open.is_beyond(p))
       return p;
     return {within(p.x, min.x, max.x), within(p.y, min.y, max.y), within(p.z, min.z, max.z)};
   }
-
-  /// The point itself, or the nearest one that is `distance`, m, off the domain's walls and outside
-  /// every obstacle.
-  SPINDRIFT_HD Vec3<float> resolve_off_walls(Vec3<float> p, float distance) const {
-    const Vec3<float> off{distance, distance, distance};
-    return ContactView{min + off, max - off, obstacles, open}.resolve(p);
-  }
-
-  /// The same for a point on its way from another: no further off a wall than that one is.
-  SPINDRIFT_HD Vec3<float> stop_off_walls(Vec3<float> p, Vec3<float> from, float distance) const {
-    return ContactView{{lower(min.x, from.x, distance), lower(min.y, from.y, distance),
-                        lower(min.z, from.z, distance)},
-                       {upper(max.x, from.x, distance), upper(max.y, from.y, distance),
-                        upper(max.z, from.z, distance)},
-                       obstacles,
-                       open}
-        .resolve(p);
-  }
-
-  /// The nearest such point for a particle that comes from `from`, which moving bodies do not pass.
-  SPINDRIFT_HD Vec3<float> resolve(const Vec3<float>& from, const Vec3<float>& p) const {
-    return resolve(obstacles.sweep(from, p));
-  }
-
- private:
   SPINDRIFT_HD static float within(float v, float lo, float hi) {
     return v < lo ? lo : (v > hi ? hi : v);
   }

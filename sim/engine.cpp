@@ -73,11 +73,11 @@ struct Run final : Engine {
   Outflow outflow;
   Exchange exchange;  ///< since the last frame
 
-  Run(const Settings& s, const InitialParticles& initial)
+  Run(const Settings& s, const InitialParticles& initial, Stop stop)
       : settings(s),
         constants(constants_of(s.fluid)),
         map(grid_over(s, list_radius_factor * constants.support_radius)),
-        walls(s, map, constants.support_radius),
+        walls(s, map, constants.support_radius, stop),
         neighbourhood(map, walls.boundary()),
         solver(make_solver(initial)),
         time_step(s.solver, constants,
@@ -92,6 +92,7 @@ struct Run final : Engine {
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
           "emitter");
+    executor.obey(stop);
     executor.check_room(initial.positions.size(), constants.spacing);
     set_particles(executor, particles, initial);
     max_speed = largest_speed(executor, particles);
@@ -214,7 +215,7 @@ struct Run final : Engine {
         executor.reduce<Moved>("drift", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
           const Vec3<float> velocity = v[i] + dv;
           const Vec3<float> free = x[i] + step * velocity;
-          const Vec3<float> stopped = contact.resolve(x[i], free);
+          const Vec3<float> stopped = contact.resolve(x[i], free, Since::start);
           const Vec3<float> push = stopped - free;
           drifted_x.set(i, stopped);
           drifted_v.set(i, velocity + (1 / step) * push);
@@ -244,7 +245,8 @@ struct Run final : Engine {
           const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
           // If it was not alone before, it may be nearer; no velocity comes of it.
           if (step.alone(i))
-            corrected.set(i, step.contact.resolve_off_walls(corrected[i], step.rest_distance()));
+            corrected.set(i, step.contact.resolve_off_walls(corrected[i], corrected[i],
+                                                            step.rest_distance()));
           x.set(i, corrected[i]);
           v.set(i, velocity);
           pressure[i] = pressure_factor * drifted_x.value(i);
@@ -312,8 +314,19 @@ struct Run final : Engine {
     statistics.potential_energy = m.potential_energy;
   }
 
-  FrameStatistics advance_to(double end, const std::atomic<bool>* stop) override {
+  FrameStatistics advance_to(double end, Stop stop) override {
     FrameStatistics statistics;
+    executor.obey(stop);
+    try {
+      advance(end, statistics);
+    } catch (const Stopped&) {
+      // Whoever asked for that knows.
+    }
+    executor.obey(nullptr);
+    return statistics;
+  }
+
+  void advance(double end, FrameStatistics& statistics) {
     if (time_step.last() == 0) {
       settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
              walls.contact(), list_radius_factor * constants.support_radius);
@@ -327,8 +340,6 @@ struct Run final : Engine {
       summed_time = 0;
     }
     while (end - time > tiny(end)) {
-      if (stop != nullptr && *stop)
-        return statistics;
       const Vec3<float> a = body_acceleration(settings.forces, time);
       const double goal = inflow.next_begin(time, end);
       const double wanted =
@@ -347,7 +358,6 @@ struct Run final : Engine {
     measure(statistics);
     note_leftover(particles.drifted_position);
     statistics.exchange = std::exchange(exchange, {});
-    return statistics;
   }
 
   void go_on_from(const Frame& start) {
@@ -358,7 +368,7 @@ struct Run final : Engine {
     executor.wait();
     walls.set_pressures(start.boundary_pressures);
     time = start.time;
-    time_step.set_last(start.last_time_step);
+    time_step.resume(start.last_time_step, start.allowed_time_step);
     inflow.resume(executor, walls, start.time);
     measure_start();
   }
@@ -366,11 +376,12 @@ struct Run final : Engine {
   std::future<Frame> take_frame() override {
     auto copies = copy_particles(executor, particles, constants.rest_density);
     auto wall_pressures = walls.pressures(executor);
-    const auto put_together = [end = time, last = time_step.last()](auto of_particles,
-                                                                    auto of_walls) {
+    const auto put_together = [end = time, last = time_step.last(), allowed = time_step.allowed()](
+                                  auto of_particles, auto of_walls) {
       Frame frame;
       frame.time = end;
       frame.last_time_step = last;
+      frame.allowed_time_step = allowed;
       frame.boundary_pressures = of_walls.take();
       of_particles.put_into(frame);
       return frame;
@@ -392,15 +403,17 @@ struct Run final : Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> make_engine(const Settings& settings) {
-  auto run = std::make_unique<Run>(settings, fill_volumes(settings));
+std::unique_ptr<Engine> make_engine(const Settings& settings, Stop stop) {
+  auto run = std::make_unique<Run>(as_filled(settings), fill_volumes(settings, stop), stop);
   run->exchange_particles();
+  run->executor.obey(nullptr);
   return run;
 }
 
-std::unique_ptr<Engine> make_engine(const Settings& settings, const Frame& start) {
-  auto run = std::make_unique<Run>(settings, fill_volumes(settings));
+std::unique_ptr<Engine> make_engine(const Settings& settings, const Frame& start, Stop stop) {
+  auto run = std::make_unique<Run>(as_filled(settings), fill_volumes(settings, stop), stop);
   run->go_on_from(start);
+  run->executor.obey(nullptr);
   return run;
 }
 

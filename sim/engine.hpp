@@ -1,7 +1,6 @@
 // A run on one backend.
 #pragma once
 
-#include <atomic>
 #include <future>
 #include <memory>
 
@@ -14,7 +13,7 @@ namespace spindrift::sim {
 class Engine {
  public:
   virtual ~Engine() = default;
-  virtual FrameStatistics advance_to(double time, const std::atomic<bool>* stop) = 0;
+  virtual FrameStatistics advance_to(double time, Stop stop) = 0;
   virtual std::future<Frame> take_frame() = 0;
   Frame frame() { return take_frame().get(); }
   virtual std::size_t particle_count() const = 0;
@@ -25,8 +24,10 @@ class Engine {
 
 inline namespace SPINDRIFT_BACKEND {
 
-std::unique_ptr<Engine> make_engine(const Settings& settings);
-std::unique_ptr<Engine> make_engine(const Settings& settings, const Frame& start);
+/// @throws Stopped
+std::unique_ptr<Engine> make_engine(const Settings& settings, Stop stop = nullptr);
+std::unique_ptr<Engine> make_engine(const Settings& settings, const Frame& start,
+                                    Stop stop = nullptr);
 
 }  // namespace SPINDRIFT_BACKEND
 }  // namespace spindrift::sim

@@ -2,19 +2,37 @@
 // same.
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
 #include "sim/settings.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim {
 
-/// Lattice positions, m, and velocities, m/s, of a scene's volumes, but for what an obstacle that
-/// moves takes up at the start.
+/// What became of the liquid that one volume asks for, in particles.
+struct FilledVolume {
+  std::size_t placed = 0;
+  std::size_t outside = 0;                ///< left out beyond the domain's faces
+  std::vector<std::size_t> in_obstacles;  ///< left out in each of the scene's obstacles
+};
+
+/// Positions, m, and velocities, m/s, of a scene's liquid at the start: its volumes, but for what
+/// is outside of the domain, or taken up by an obstacle, fixed or moving.
 struct InitialParticles {
   std::vector<glm::vec3> positions, velocities;
+  std::vector<FilledVolume> volumes;  ///< in the order of the scene's
 };
-InitialParticles fill_volumes(const Settings& settings);
+/// @throws Stopped
+InitialParticles fill_volumes(const Settings& settings, Stop stop = nullptr);
+
+/// What InitialParticles::volumes would be.
+std::vector<FilledVolume> count_volumes(const Settings& settings);
+
+/// The settings of the particles that a scene is filled with: with their spacing instead of the one
+/// that is asked for; see particle_spacing().
+Settings as_filled(const Settings& settings);
 
 struct GridMap;
 /// The grid of all places where particles may be. @param cell edge of a cell, m

@@ -55,7 +55,7 @@ SPINDRIFT_HD Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& 
 }  // namespace
 
 MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary,
-                           Meshes& meshes)
+                           Meshes& meshes, Stop stop)
     : settings_(settings),
       map_(map),
       boundary_(boundary),
@@ -78,7 +78,7 @@ MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundar
   for (std::size_t k = 0; k < all_solids_.size(); ++k) {
     const Obstacle& obstacle = settings_.obstacles[k];
     if (obstacle.motion) {
-      add(obstacle, body++, samples, owners);
+      add(obstacle, body++, samples, owners, stop);
     } else {
       solids.push_back(all_solids_[k]);
       bounds.push_back(bounds_of(obstacle.shape));
@@ -92,14 +92,14 @@ MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundar
 
 /// Samples of one body, alone in the open.
 void MovingBodies::add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& all,
-                       std::vector<int>& owners) const {
+                       std::vector<int>& owners, Stop stop) const {
   const float spacing = settings_.fluid.spacing, radius = 2 * spacing;
   Settings alone = settings_;
   alone.obstacles = {obstacle};
   const Box bounds = bounds_of(obstacle.shape);
   alone.domain = {bounds.min - 2 * radius, bounds.max + 2 * radius};
   const GridMap map = GridMap::over(from_glm(alone.domain.min), from_glm(alone.domain.max), radius);
-  const Boundary samples(alone, sample_surface(obstacle.shape, spacing), map, radius);
+  const Boundary samples(alone, sample_surface(obstacle.shape, spacing), map, radius, stop);
   for (std::uint32_t b = 0; b < samples.count(); ++b) {
     all.push_back(samples.sample(b));
     all.back().wall_viscosity = obstacle.wall_viscosity.value_or(settings_.fluid.wall_viscosity);

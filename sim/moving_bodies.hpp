@@ -42,7 +42,8 @@ class MovingBodies {
  public:
   /// @param boundary the samples of what is fixed; this object puts the others among them
   /// @param meshes   where loops find meshes
-  MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary, Meshes& meshes);
+  MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary, Meshes& meshes,
+               Stop stop);
 
   /// The samples of all solids, where the scene puts them; those of what is fixed first, as they
   /// were in the boundary that this object was made with.
@@ -72,7 +73,7 @@ class MovingBodies {
  private:
   static constexpr int fixed = SolidsView::fixed;
   void add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& samples,
-           std::vector<int>& owners) const;
+           std::vector<int>& owners, Stop stop) const;
 
   Settings settings_;
   GridMap map_;

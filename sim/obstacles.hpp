@@ -14,32 +14,54 @@ struct ObstacleView {
   std::uint32_t count = 0;
   const PosedBody* bodies = nullptr;  ///< those that move
   std::uint32_t body_count = 0;
+  float margin = 0;  ///< how near to a solid's surface particles may come, m
 
   ObstacleView() = default;
+  /// @param spacing of the particles, m
   ObstacleView(const Solid* fixed, std::uint32_t fixed_count,
-               std::span<const PosedBody> moving = {})
+               std::span<const PosedBody> moving = {}, float spacing = 0)
       : solids(fixed),
         count(fixed_count),
         bodies(moving.data()),
-        body_count(static_cast<std::uint32_t>(moving.size())) {}
+        body_count(static_cast<std::uint32_t>(moving.size())),
+        margin(1e-3f * spacing) {}
+
+  SPINDRIFT_HD bool any() const { return count > 0 || body_count > 0; }
+  SPINDRIFT_HD bool any_moves() const { return body_count > 0; }
 
   /// The point itself, or one outside every obstacle, near it.
   SPINDRIFT_HD Vec3<float> hold(Vec3<float> p) const {
-    for (std::uint32_t k = 0; k < body_count; ++k)
-      p = bodies[k].hold(p);
+    p = hold_off_bodies(p);
     for (std::uint32_t k = 0; k < count; ++k)
       p = push_out(solids[k], p);
     return p;
   }
-
-  /// How far from `from` towards a point a particle gets that does not pass what moves.
-  SPINDRIFT_HD Vec3<float> sweep(const Vec3<float>& from, Vec3<float> p) const {
+  /// The same of those that move alone.
+  SPINDRIFT_HD Vec3<float> hold_off_bodies(Vec3<float> p) const {
     for (std::uint32_t k = 0; k < body_count; ++k)
-      p = bodies[k].sweep(from, p);
+      p = bodies[k].hold(p);
     return p;
   }
 
-  SPINDRIFT_HD bool any_moves() const { return body_count > 0; }
+  /// The point itself, or one that a particle gets to which goes there from `from` and may not pass
+  /// what moves.
+  /// @param since where the bodies are when it is at `from`
+  SPINDRIFT_HD Vec3<float> keep_out_of_bodies(const Vec3<float>& from, Vec3<float> p,
+                                              Since since) const {
+    for (std::uint32_t k = 0; k < body_count; ++k)
+      p = bodies[k].keep_out(from, p, since, margin);
+    return p;
+  }
+  /// The same of every obstacle.
+  SPINDRIFT_HD Vec3<float> keep_out(const Vec3<float>& from, Vec3<float> p, Since since) const {
+    p = keep_out_of_bodies(from, p, since);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const glm::vec3 begin = to_glm(from), end = to_glm(p);
+      if (may_meet(solids[k], begin, end, margin))
+        p = from_glm(kept_out(solids[k], begin, end, margin));
+    }
+    return p;
+  }
 
   /// Velocity of the moving body that pushed a particle to where it is, m/s; 0 if none did.
   SPINDRIFT_HD Vec3<float> velocity_behind(const Vec3<float>& p, const Vec3<float>& push) const {

@@ -151,7 +151,7 @@ class Pcisph : public PressureSolver {
     s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
       const Vec3<float> a =
           pressure_acceleration(i, step.constants, kernel, x, step.neighbours, step.boundary);
-      moved.set(i, step.is_held(i) ? x[i] : step.contact.resolve(x[i] + dt2 * a));
+      moved.set(i, step.is_held(i) ? x[i] : step.contact.resolve(x[i], x[i] + dt2 * a));
     });
     keep_if_better(s, delta);
   }

@@ -19,22 +19,6 @@ Affine affine(const glm::dmat3& m, const glm::dvec3& offset) {
   return {from(rows[0]), from(rows[1]), from(rows[2]), from(offset)};
 }
 
-/// Half the thickness of a shape where that is known; a mesh is not seen where it is thinner than
-/// half a spacing.
-float half_thickness(const Shape& shape, float spacing) {
-  if (const Box* box = std::get_if<Box>(&shape)) {
-    const glm::vec3 size = box->max - box->min;
-    return 0.5f * std::min({size.x, size.y, size.z});
-  }
-  if (const Sphere* ball = std::get_if<Sphere>(&shape))
-    return ball->radius;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape))
-    return capsule->radius;
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape))
-    return std::min(cylinder->radius, 0.5f * glm::distance(cylinder->from, cylinder->to));
-  return 0.25f * spacing;
-}
-
 }  // namespace
 
 Inside::Inside(const DomainSettings& domain)
@@ -74,9 +58,6 @@ std::vector<PosedBody> posed_bodies(const Settings& settings, std::span<const So
     body.velocity = affine(per_second * (after.rotation - before.rotation),
                            per_second * (after.translation - before.translation));
     body.spacing = spacing;
-    body.reach =
-        std::max(std::min(0.25f, 0.8f * half_thickness(obstacle.shape, spacing) / spacing), 0.02f) *
-        spacing;
     bodies.push_back(body);
   }
   return bodies;

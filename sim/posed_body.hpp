@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/entry.hpp"
 #include "sim/motion.hpp"
 #include "sim/real.hpp"
 #include "sim/settings.hpp"
@@ -48,6 +49,9 @@ struct Inside {
   }
 };
 
+/// Where bodies are when a way begins: where they are at the start of the step, or at its end.
+enum class Since { start, end };
+
 /// A body in a step, as plain data.
 struct PosedBody {
   Solid solid;  ///< where the scene puts it
@@ -56,16 +60,18 @@ struct PosedBody {
   Affine start, pose;  ///< to where it is at the start and at the end of the step
   Affine velocity;     ///< from the shape's points to their mean velocity over it, m/s
   float spacing = 0;   ///< of the particles, m
-  float reach = 0;     ///< how far a particle may go at once, so that it does not pass the body, m
 
   /// The point itself, or, for one in the body at its end, one on its surface that is inside the
   /// domain: the body may lie flush against a wall, or stick out through it. There the nearest
   /// point of the surface can be in the wall.
   SPINDRIFT_HD Vec3<float> hold(const Vec3<float>& p) const;
 
-  /// The same for a particle that comes from `from`: it does not pass the body, however fast both
-  /// are. In the body's frame it goes a straight way, in short pieces.
-  SPINDRIFT_HD Vec3<float> sweep(const Vec3<float>& from, const Vec3<float>& p) const;
+  /// The point itself, or where a particle gets that goes there from `from`: it does not pass the
+  /// body, however fast both are and however thin that is. In the body's frame it goes a straight
+  /// way (sim/entry.hpp).
+  /// @param since where the body is when the particle is at `from`
+  SPINDRIFT_HD Vec3<float> keep_out(const Vec3<float>& from, const Vec3<float>& p, Since since,
+                                    float margin) const;
 
   /// Whether a point, or, for one on a wall, a point just off it, is in the body at its end.
   SPINDRIFT_HD bool holds(const Vec3<float>& p) const {
@@ -130,30 +136,14 @@ SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> PosedBody::hold(const Vec3<float
   return inner + shortest;
 }
 
-SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> PosedBody::sweep(const Vec3<float>& from,
-                                                                 const Vec3<float>& p) const {
-  constexpr float most_pieces = 1000;
-  const Vec3<float> first = start.back(from), last = pose.back(p);
-  const Vec3<float> low{std::min(first.x, last.x), std::min(first.y, last.y),
-                        std::min(first.z, last.z)};
-  const Vec3<float> high{std::max(first.x, last.x), std::max(first.y, last.y),
-                         std::max(first.z, last.z)};
-  if (!overlap(low, high, bounds, 2e-3f * spacing))
+SPINDRIFT_HD inline Vec3<float> PosedBody::keep_out(const Vec3<float>& from, const Vec3<float>& p,
+                                                    Since since, float margin) const {
+  const glm::vec3 begin = to_glm((since == Since::start ? start : pose).back(from)),
+                  end = to_glm(pose.back(p));
+  if (!may_meet(solid, begin, end, margin))
     return p;
-  const Vec3<float> way = last - first;
-  const float pieces = std::clamp(std::ceil(square_root(dot(way, way)) / reach), 1.f, most_pieces);
-  const Vec3<float> piece = (1 / pieces) * way;
-  Vec3<float> q = first;
-  bool held = false;
-  for (int k = 0; k < static_cast<int>(pieces); ++k) {
-    q = q + piece;
-    const Vec3<float> free = pose(q), out = hold(free);
-    if (is_zero(out - free))
-      continue;
-    held = true;
-    q = pose.back(out);
-  }
-  return held ? pose(q) : p;
+  const glm::vec3 kept = kept_out(solid, begin, end, margin);
+  return kept == end ? p : pose(from_glm(kept));
 }
 
 SPINDRIFT_HD inline float PosedBody::depth(const Vec3<float>& p) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/initial.hpp"
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 
@@ -26,11 +27,16 @@ struct ColumnParticle {
   auto operator<=>(const ColumnParticle&) const = default;
 };
 
-/// Those closer to the vertical through (x, z) than the radius, from below to above.
+/// Those closer to the vertical through (x, z) than the radius that are seen from there, from below
+/// to above.
 std::vector<ColumnParticle> column_at(const Frame& frame, float radius,
-                                      const DomainSettings& domain, float x, float z) {
+                                      const DomainSettings& domain, float x, float z,
+                                      const Sight& sight) {
   std::vector<ColumnParticle> column;
-  for (const glm::vec3& p : frame.positions)
+  for (const glm::vec3& p : frame.positions) {
+    const bool is_near = std::abs(p.x - x) < radius && std::abs(p.z - z) < radius;
+    if (is_near && !sight.is_free(p, {x, p.y, z}))
+      continue;
     for (const float px : {p.x, 2 * domain.min.x - p.x, 2 * domain.max.x - p.x}) {
       if (!(std::abs(px - x) < radius))
         continue;
@@ -40,6 +46,7 @@ std::vector<ColumnParticle> column_at(const Frame& frame, float radius,
           column.push_back({p.y, squared});
       }
     }
+  }
   std::sort(column.begin(), column.end());
   return column;
 }
@@ -59,10 +66,10 @@ double kernel_sum(const std::vector<ColumnParticle>& column, const CubicKernel& 
 }  // namespace
 
 double surface_height(const Frame& frame, float spacing, const DomainSettings& domain, float x,
-                      float z) {
+                      float z, const Sight& sight) {
   const float radius = 2 * spacing;
   const CubicKernel kernel(radius);
-  const auto column = column_at(frame, radius, domain, x, z);
+  const auto column = column_at(frame, radius, domain, x, z, sight);
   if (column.empty())
     return nothing;
   const double half = 0.5 / particle_volume(spacing);
@@ -79,12 +86,14 @@ double surface_height(const Frame& frame, float spacing, const DomainSettings& d
   return 0.5 * (above + below);
 }
 
-double pressure_at(const Frame& frame, float spacing, const glm::vec3& point) {
+double pressure_at(const Frame& frame, float spacing, const glm::vec3& point, const Sight& sight) {
   const float radius = 2 * spacing;
   const CubicKernel kernel(radius);
   double sum = 0, weights = 0;
   for (std::size_t i = 0; i < frame.positions.size(); ++i) {
     const float weight = kernel.value(glm::distance(frame.positions[i], point));
+    if (!(weight > 0) || !sight.is_free(frame.positions[i], point))
+      continue;
     sum += double{weight} * frame.pressures[i];
     weights += weight;
   }
@@ -161,10 +170,10 @@ Columns columns_of(const VolumeProbe&) {
 }
 
 Values values_of(const SurfaceHeightProbe& probe, const Frame& frame, const Settings& s) {
-  return {surface_height(frame, s.fluid.spacing, s.domain, probe.x, probe.z)};
+  return {surface_height(frame, s.fluid.spacing, s.domain, probe.x, probe.z, Sight(s, frame.time))};
 }
 Values values_of(const PressureProbe& probe, const Frame& frame, const Settings& s) {
-  return {pressure_at(frame, s.fluid.spacing, probe.point)};
+  return {pressure_at(frame, s.fluid.spacing, probe.point, Sight(s, frame.time))};
 }
 Values values_of(const FrontProbe& probe, const Frame& frame, const Settings& s) {
   return {front_position(frame, s.fluid.spacing, probe.direction)};
@@ -189,7 +198,8 @@ std::vector<ProbeColumn> probe_columns(const Probe& probe) {
 }
 
 std::vector<double> measure(const Probe& probe, const Frame& frame, const Settings& settings) {
-  return std::visit([&](const auto& quantity) { return values_of(quantity, frame, settings); },
+  const Settings filled = as_filled(settings);
+  return std::visit([&](const auto& quantity) { return values_of(quantity, frame, filled); },
                     probe.quantity);
 }
 

@@ -1,7 +1,8 @@
 // What measuring instruments in a tank would read, from the particles at one instant.
 //
 // Samples of walls and obstacles take no part: near them the formulas see particles only, and, at
-// the domain's upright walls, their mirror images where that is said.
+// the domain's upright walls, their mirror images where that is said. Liquid behind an obstacle is
+// not seen.
 #pragma once
 
 #include <string>
@@ -9,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/sight.hpp"
 #include "sim/simulation.hpp"
 
 namespace spindrift::sim {
@@ -59,13 +61,15 @@ std::vector<double> measure(const Probe& probe, const Frame& frame, const Settin
 /// surface half a spacing above the topmost particles. A particle alone reaches 0.32, two no more
 /// than 0.46, so that drops are not taken for the surface. The domain's upright walls mirror the
 /// particles. NaN where no liquid is.
+/// @param sight from the vertical to particles at the same height
 double surface_height(const Frame& frame, float spacing, const DomainSettings& domain, float x,
-                      float z);
+                      float z, const Sight& sight = {});
 
 /// Mean of the particles' pressures, Pa, with the cubic kernel's weights (Shepard 1968) over 2
 /// spacings around the point; 0, the pressure of the air, where no particle is. At a wall all
 /// particles lie on one side, on average half a spacing off it.
-double pressure_at(const Frame& frame, float spacing, const glm::vec3& point);
+double pressure_at(const Frame& frame, float spacing, const glm::vec3& point,
+                   const Sight& sight = {});
 
 /// Coordinate (m) along the direction's axis of the foremost particle that has five others at least
 /// closer than 2 spacings, as the edge of a layer one particle thick has, and half a spacing more:

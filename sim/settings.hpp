@@ -46,9 +46,9 @@ struct TriangleMesh {
 
 using Shape = std::variant<Box, Sphere, Cylinder, Capsule, TriangleMesh>;
 
-/// A region filled with liquid at the start: particles on a lattice of the fluid's spacing. In a
-/// box the first particle centre lies half a spacing inside `min`; in other shapes the lattice is
-/// centred on them, in a mesh so that its bounds hold whole cells.
+/// A region filled with liquid at the start, but for what obstacles take up of it: particles on a
+/// lattice that fits a box, or the bounds of a mesh, from face to face, as near to the fluid's
+/// spacing as can be, and round shapes so that they hold their volume.
 struct Volume {
   Shape shape = Box{};
   glm::vec3 velocity{0.f};  ///< initial velocity, m/s

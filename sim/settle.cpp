@@ -106,7 +106,7 @@ struct Settling {
     const float distance = 0.5f * constants.spacing;
     executor.for_each("settle", n, [=] SPINDRIFT_HD(std::uint32_t i) {
       if (neighbours.alone(i, n) && !is_held(held, i))
-        x.set(i, walls.resolve_off_walls(x[i], distance));
+        x.set(i, walls.resolve_off_walls(x[i], x[i], distance));
     });
   }
 
@@ -126,7 +126,7 @@ struct Settling {
         return dot(d, d) < near * near ? 1.f + 0.f * d.x : 0.f * d.x;
       });
       if (count > 1.5f && !is_held(held, i))
-        x.set(i, walls.resolve(xi + 5 * near * direction_of(ids[i])));
+        x.set(i, walls.resolve(xi, xi + 5 * near * direction_of(ids[i])));
     });
     find_neighbours();
   }

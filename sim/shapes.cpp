@@ -14,55 +14,8 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
-
-/// How many lattice cells fit along a length; a length that is short of a whole number by rounding
-/// only still counts as whole.
-int cells_along(float length, float spacing) {
-  return static_cast<int>(std::floor(length / spacing + 0.01f));
-}
-
-std::vector<glm::vec3> fill_box(const Box& box, float d) {
-  const glm::vec3 size = box.max - box.min;
-  const int nx = cells_along(size.x, d), ny = cells_along(size.y, d), nz = cells_along(size.z, d);
-  std::vector<glm::vec3> points;
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
-        points.push_back(box.min + d * (glm::vec3(i, j, k) + 0.5f));
-  return points;
-}
-
-/// One point of a shape's lattice, near its middle.
-glm::vec3 lattice_center(const Shape& shape, float d) {
-  return std::visit(Overloaded{[](const Sphere& s) { return s.center; },
-                               [&](const TriangleMesh& m) {
-                                 const Box& bounds = m.body->bounds();
-                                 glm::vec3 center = 0.5f * (bounds.min + bounds.max);
-                                 for (int axis = 0; axis < 3; ++axis)
-                                   if (cells_along(bounds.max[axis] - bounds.min[axis], d) % 2 == 0)
-                                     center[axis] -= 0.5f * d;
-                                 return center;
-                               },
-                               [](const Box& b) { return 0.5f * (b.min + b.max); },
-                               [](const auto& s) { return 0.5f * (s.from + s.to); }},
-                    shape);
-}
-
-/// Lattice of which `center` is one point, as far as it is inside the shape.
-std::vector<glm::vec3> fill_centred(const Shape& shape, glm::vec3 center, float d) {
-  const Box bounds = bounds_of(shape);
-  const glm::vec3 half = 0.5f * (bounds.max - bounds.min) / d;
-  const glm::ivec3 n(glm::ceil(half));
-  std::vector<glm::vec3> points;
-  for (int k = -n.z; k <= n.z; ++k)
-    for (int j = -n.y; j <= n.y; ++j)
-      for (int i = -n.x; i <= n.x; ++i) {
-        const glm::vec3 p = center + d * glm::vec3(i, j, k);
-        if (contains(shape, {p.x, p.y, p.z}))
-          points.push_back(p);
-      }
-  return points;
-}
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // which clang 14 does not find by itself
 
 /// How many steps of a lattice stretched to end exactly at both corners of a box.
 glm::ivec3 steps_across(glm::vec3 size, float d) {
@@ -75,12 +28,11 @@ std::vector<glm::vec3> box_surface(glm::vec3 min, glm::vec3 max, float d) {
   const glm::vec3 step = (max - min) / glm::vec3(n);
   std::vector<glm::vec3> points;
   for (int k = 0; k <= n.z; ++k)
-    for (int j = 0; j <= n.y; ++j)
-      for (int i = 0; i <= n.x; ++i) {
-        const bool on_face = i == 0 || i == n.x || j == 0 || j == n.y || k == 0 || k == n.z;
-        if (on_face)
-          points.push_back(min + step * glm::vec3(i, j, k));
-      }
+    for (int j = 0; j <= n.y; ++j) {
+      const bool on_face = j == 0 || j == n.y || k == 0 || k == n.z;
+      for (int i = 0; i <= n.x; i += on_face ? 1 : n.x)
+        points.push_back(min + step * glm::vec3(i, j, k));
+    }
   return points;
 }
 
@@ -130,12 +82,6 @@ std::vector<glm::vec3> cylinder_surface(glm::vec3 from, glm::vec3 to, float radi
 }
 
 }  // namespace
-
-std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing) {
-  if (const Box* box = std::get_if<Box>(&shape))
-    return fill_box(*box, spacing);
-  return fill_centred(shape, lattice_center(shape, spacing), spacing);
-}
 
 std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing) {
   if (const TriangleMesh* mesh = std::get_if<TriangleMesh>(&shape))

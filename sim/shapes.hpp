@@ -1,4 +1,4 @@
-// Sampling of shapes: lattices inside for the liquid, layers of points on surfaces for walls.
+// Sampling of shapes: layers of points on surfaces for walls.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,10 +8,6 @@
 #include "sim/shapes/surface_sample.hpp"
 
 namespace spindrift::sim {
-
-/// Lattice points of the given spacing inside a shape, x fastest, m. In a box the first point lies
-/// half a spacing inside its lowest corner; in other shapes the lattice is centred.
-std::vector<glm::vec3> fill_shape(const Shape& shape, float spacing);
 
 /// Points below the surface of an obstacle, half a spacing deep, about one per spacing².
 std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing);
@@ -28,5 +24,10 @@ bool is_inside(const Shape& shape, const glm::vec3& p);
 
 /// The smallest box around a shape.
 Box bounds_of(const Shape& shape);
+
+/// Whether two boxes have nothing in common.
+inline bool is_apart(const Box& a, const Box& b) {
+  return glm::any(glm::lessThan(a.max, b.min)) || glm::any(glm::greaterThan(a.min, b.max));
+}
 
 }  // namespace spindrift::sim

@@ -25,15 +25,15 @@ std::unique_ptr<Engine> engine_for([[maybe_unused]] const BackendChoice& choice,
 
 }  // namespace
 
-Simulation::Simulation(const Settings& settings)
-    : backend_(choose_backend(settings)), engine_(engine_for(backend_, settings)) {}
+Simulation::Simulation(const Settings& settings, Stop stop)
+    : backend_(choose_backend(settings)), engine_(engine_for(backend_, settings, stop)) {}
 
-Simulation::Simulation(const Settings& settings, const Frame& start)
-    : backend_(choose_backend(settings)), engine_(engine_for(backend_, settings, start)) {}
+Simulation::Simulation(const Settings& settings, const Frame& start, Stop stop)
+    : backend_(choose_backend(settings)), engine_(engine_for(backend_, settings, start, stop)) {}
 
 Simulation::~Simulation() = default;
 
-FrameStatistics Simulation::advance_to(double time, const std::atomic<bool>* stop) {
+FrameStatistics Simulation::advance_to(double time, Stop stop) {
   return engine_->advance_to(time, stop);
 }
 

@@ -1,7 +1,6 @@
 // The liquid, advanced in time.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <future>
 #include <glm/glm.hpp>
@@ -12,10 +11,11 @@
 #include "sim/backend_choice.hpp"
 #include "sim/exchange.hpp"
 #include "sim/settings.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim {
 
-/// Particle data at one instant, in the solver's order: with `last_time_step` all that is needed to
+/// Particle data at one instant, in the solver's order: with the time steps all that is needed to
 /// go on from here to the same bytes.
 struct Frame {
   double time = 0;                   ///< s
@@ -30,6 +30,7 @@ struct Frame {
                                    ///< lattice, then in the order of coming in
   std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa
   double last_time_step = 0;              ///< of the step that ended here, s; 0 at the start
+  double allowed_time_step = 0;           ///< what that could have been had it not to end here, s
 };
 
 /// What happened between two frames, and the error measured at the second one.
@@ -62,18 +63,18 @@ class Engine;
 class Simulation {
  public:
   /// Fills the volumes and samples the walls. @throws std::invalid_argument when nothing can be
-  /// simulated.
-  explicit Simulation(const Settings& settings);
+  /// simulated, Stopped when `stop` becomes true meanwhile
+  explicit Simulation(const Settings& settings, Stop stop = nullptr);
   /// Goes on from a frame of an earlier run with the same settings.
-  Simulation(const Settings& settings, const Frame& start);
+  Simulation(const Settings& settings, const Frame& start, Stop stop = nullptr);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
   /// Advances to `time` exactly. @throws std::runtime_error when no admissible time step exists.
-  /// When `stop` becomes true it returns early, between two frames' times; the state is then of no
+  /// When `stop` becomes true it returns early, in the middle of a step; the state is then of no
   /// use.
-  FrameStatistics advance_to(double time, const std::atomic<bool>* stop = nullptr);
+  FrameStatistics advance_to(double time, Stop stop = nullptr);
 
   /// The particles as they are now, for whoever asks for them, in any thread and at any time: on a
   /// GPU they cross over while later steps run.

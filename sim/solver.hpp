@@ -31,8 +31,9 @@ struct StepView {
 
   /// Where a drifted particle gets by a given move, m.
   SPINDRIFT_HD Vec3<float> moved(std::uint32_t i, const Vec3<float>& move) const {
-    const Vec3<float> p = drifted[i] + move;
-    return alone(i) ? contact.stop_off_walls(p, position[i], rest_distance()) : contact.resolve(p);
+    const Vec3<float> from = drifted[i], p = from + move;
+    return alone(i) ? contact.stop_off_walls(from, p, position[i], rest_distance())
+                    : contact.resolve(from, p);
   }
 
   SPINDRIFT_HD bool is_held(std::uint32_t i) const { return held != nullptr && held[i] > 0; }

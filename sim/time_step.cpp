@@ -9,7 +9,7 @@
 namespace spindrift::sim {
 namespace {
 
-/// A step is at most this much longer than the one before it.
+/// A step is at most this much longer than the one before it could have been.
 constexpr double growth = 1.3;
 
 }  // namespace
@@ -22,7 +22,7 @@ TimeStepControl::TimeStepControl(const SolverSettings& settings, const FluidCons
       fixed_limit_(std::min(settings.max_time_step, solver_limit)) {}
 
 double TimeStepControl::next(double remaining, double max_speed, double acceleration,
-                             double pressure) const {
+                             double pressure) {
   double limit = fixed_limit_;
   if (max_speed > 0)
     limit = std::min(limit, settings_.cfl * support_radius_ / max_speed);
@@ -35,9 +35,10 @@ double TimeStepControl::next(double remaining, double max_speed, double accelera
   // frequency is √(p/ρ)/d.
   if (pressure > 0)
     limit = std::min(limit, 0.15 * support_radius_ / std::sqrt(pressure / rest_density_));
-  if (last_ > 0)
-    limit = std::min(limit, growth * last_);
+  if (allowed_ > 0)
+    limit = std::min(limit, growth * allowed_);
   limit = std::max(limit, double{settings_.min_time_step});
+  allowed_ = limit;
   // 5 ms in single precision are a little less, and must divide 20 ms by four all the same.
   constexpr double rounding = 1e-6;
   return remaining / std::ceil(remaining / limit * (1 - rounding));
@@ -49,12 +50,18 @@ void TimeStepControl::accepted(double time_step) {
 
 double TimeStepControl::refused(double time_step) {
   const double smaller = 0.5 * time_step;
+  allowed_ = smaller;
   if (smaller < settings_.min_time_step)
     throw std::runtime_error(fmt::format(
         "no time step down to solver.min_time_step = {:g} s keeps the compression within "
         "solver.max_compression and solver.mean_compression; raise those, or solver.max_iterations",
         settings_.min_time_step));
   return smaller;
+}
+
+void TimeStepControl::resume(double last, double allowed) {
+  last_ = last;
+  allowed_ = allowed;
 }
 
 Vec3<float> body_acceleration(const ForceSettings& forces, double time) {

@@ -18,14 +18,17 @@ class TimeStepControl {
   /// @param max_speed    fastest particle, m/s
   /// @param acceleration largest body acceleration, m/s²
   /// @param pressure     root mean square of the pressure, Pa
-  double next(double remaining, double max_speed, double acceleration, double pressure) const;
+  double next(double remaining, double max_speed, double acceleration, double pressure);
 
-  /// A step was accepted, or refused; after a refusal steps grow back gradually.
+  /// A step was accepted, or refused; after a refusal steps grow back gradually. Those that are
+  /// shortened to end at a given time do not hold back the ones after them.
   void accepted(double time_step);
   double refused(double time_step);
 
-  double last() const { return last_; }
-  void set_last(double time_step) { last_ = time_step; }
+  double last() const { return last_; }        ///< s
+  double allowed() const { return allowed_; }  ///< what the last step could have been, s
+  /// Goes on after a step. @param allowed what it could have been, s
+  void resume(double last, double allowed);
 
  private:
   SolverSettings settings_;
@@ -33,6 +36,7 @@ class TimeStepControl {
   double rest_density_;
   double fixed_limit_;  ///< smallest of the limits that never change, s
   double last_ = 0;     ///< s
+  double allowed_ = 0;  ///< what the last step could have been had it not to end at a frame, s
 };
 
 /// Body acceleration at a time, m/s²: gravity and the keyframed part.

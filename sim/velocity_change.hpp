@@ -23,7 +23,7 @@ inline bool change_velocities(const StepContext& s, std::string_view name) {
       return Largest{};
     const Vec3<float> change = dv[i], move = dt * change;
     v.set(i, v[i] + change);
-    x.set(i, step.contact.resolve(x[i] + move));
+    x.set(i, step.contact.resolve(x[i], x[i] + move));
     return Largest{dot(move, move)};
   };
   const auto squared_move = s.executor.reduce<Largest>(name, p.count, change_one);

@@ -9,11 +9,11 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-Walls::Walls(const Settings& settings, const GridMap& map, float radius)
+Walls::Walls(const Settings& settings, const GridMap& map, float radius, Stop stop)
     : fixed_(without_moving(settings)),
-      boundary_(fixed_, map, radius),
+      boundary_(fixed_, map, radius, stop),
       moving_(any_moves(settings.obstacles)
-                  ? std::make_unique<MovingBodies>(settings, map, boundary_, meshes_)
+                  ? std::make_unique<MovingBodies>(settings, map, boundary_, meshes_, stop)
                   : nullptr) {
   put(solids_, solids_of(fixed_.obstacles, meshes_));
 }
@@ -22,7 +22,8 @@ ContactView Walls::contact() const {
   const std::span<const PosedBody> bodies =
       moving_ ? std::span(moving_->bodies().data(), moving_->bodies().size()) : decltype(bodies){};
   return {from_glm(fixed_.domain.min), from_glm(fixed_.domain.max),
-          ObstacleView{solids_.data(), static_cast<std::uint32_t>(solids_.size()), bodies},
+          ObstacleView{solids_.data(), static_cast<std::uint32_t>(solids_.size()), bodies,
+                       fixed_.fluid.spacing},
           OpenFaces(fixed_.domain)};
 }
 

@@ -28,7 +28,8 @@ struct SampleSetter {
 class Walls {
  public:
   /// @param map of all places where particles may be @param radius the support radius, m
-  Walls(const Settings& settings, const GridMap& map, float radius);
+  /// @throws Stopped
+  Walls(const Settings& settings, const GridMap& map, float radius, Stop stop);
 
   /// Until move() is called first: the samples of what is fixed.
   Boundary& boundary() { return boundary_; }

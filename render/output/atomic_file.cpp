@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,7 +45,27 @@ std::filesystem::path temporary_for(const std::filesystem::path& file, int attem
   return file.parent_path() / name;
 }
 
+// Whether a name is one that temporary_for() gives.
+bool is_part(const std::string& name) {
+  static const std::regex pattern(R"(\..*\.[0-9]+-[0-9]+\.part(\.[^.]*)?)");
+  return std::regex_match(name, pattern);
+}
+
 }  // namespace
+
+std::filesystem::path part_name(const std::filesystem::path& file) {
+  return temporary_for(file, 0);
+}
+
+void remove_part_files(const std::filesystem::path& folder) {
+  std::error_code none;  // a folder that isn't there has no files
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    if (is_part(entry.path().filename().string()) &&
+        entry.symlink_status().type() == std::filesystem::file_type::regular) {
+      std::filesystem::remove(entry.path());
+    }
+  }
+}
 
 AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
   require_replaceable(file_);

@@ -47,6 +47,13 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// A hidden name beside a file's own for a file that is not complete yet, with its extension.
+std::filesystem::path part_name(const std::filesystem::path& file);
+
+/// Removes the files of such names in a folder, which are left where a process was ended by force.
+/// To be called where no other process writes in the folder.
+void remove_part_files(const std::filesystem::path& folder);
+
 /// Writes a whole text file through AtomicFile.
 void write_file(const std::filesystem::path& file, std::string_view text);
 

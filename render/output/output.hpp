@@ -23,6 +23,9 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// The bytes of such a PNG. @throws std::invalid_argument as write_png
 std::vector<std::byte> encode_png(const Image& image);
 
+/// Pictures of more pixels are not read: twice those of the largest picture that is drawn.
+inline constexpr std::size_t most_pixels = std::size_t{2} * 8192 * 8192;
+
 /// Reads a PNG as 8-bit RGB, without loss: grey is spread to three channels, a palette looked up. A
 /// picture that 8-bit RGB cannot hold is refused: one that is transparent somewhere, that has
 /// 16-bit samples between the 8-bit ones, or that is animated.
@@ -68,9 +71,12 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Pictures in a video, as its index says; 0: it can't be read.
+int video_length(const std::filesystem::path& file);
+
 /// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
 /// format that libav knows is a video of one picture.) Pictures with more than 8 bits a sample, or
-/// that are transparent somewhere, are refused.
+/// that are transparent somewhere, are refused. No other file is opened, whatever the video names.
 class VideoReader {
  public:
   /// @throws std::runtime_error naming the file and the reason

@@ -5,20 +5,19 @@
 
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
-#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/output/atomic_file.hpp"
+#include "render/output/input_file.hpp"
 #include "render/output/output.hpp"
 
 namespace {
@@ -103,21 +102,47 @@ Bytes encode(const Image& image) {
   return png;
 }
 
-Bytes read_file(const std::filesystem::path& file) {
-  errno = 0;
-  Bytes bytes;
-  std::ifstream input(file, std::ios::binary);
-  std::array<char, 65536> piece{};
-  while (input) {
-    input.read(piece.data(), piece.size());
-    const auto read = std::as_bytes(std::span(piece).first(std::size_t(input.gcount())));
-    bytes.insert(bytes.end(), read.begin(), read.end());
+/// A big-endian number of four bytes, as PNG has them.
+std::uint32_t number_at(std::string_view png, std::size_t place) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    number = number << 8 | static_cast<unsigned char>(png[place + i]);
   }
-  if (!input.eof()) {
-    throw std::runtime_error("cannot read " + file.string() + ": " +
-                             (errno != 0 ? std::strerror(errno) : "read error"));
+  return number;
+}
+
+/// Chunks are a length (4 bytes), a type (4), data and a checksum (4), after a signature of 8.
+bool has_chunk(std::string_view png, std::string_view type) {
+  for (std::size_t at = 8; at + 12 <= png.size(); at += 12 + std::size_t{number_at(png, at)}) {
+    if (png.substr(at + 4, 4) == type) {
+      return true;
+    }
   }
-  return bytes;
+  return false;
+}
+
+/// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
+/// hold, and chunks longer than the file. @return the reason; empty: none
+std::string why_refused(std::string_view png) {
+  constexpr std::size_t kWidth = 16, kHeight = 20, kDepth = 24, kColours = 25;  // places in IHDR
+  constexpr std::array<std::uint64_t, 7> kChannels = {1, 0, 3, 1, 2, 0, 4};     // by colour type
+  constexpr std::uint64_t kMostPerByte = 1032;  // that deflate makes out of one
+  if (png.size() < kBytesBeforeColourTag || png.substr(12, 4) != "IHDR") {
+    return "it does not begin as a PNG does";
+  }
+  const std::uint64_t width = number_at(png, kWidth), height = number_at(png, kHeight);
+  if (width == 0 || height == 0 || width > most_pixels || height > most_pixels ||
+      width * height > most_pixels) {
+    return std::to_string(width) + "x" + std::to_string(height) + " pixels; accepted: 1 to " +
+           std::to_string(most_pixels) + " in all";
+  }
+  const auto colours = static_cast<unsigned char>(png[kColours]);
+  const std::uint64_t bits = static_cast<unsigned char>(png[kDepth]) *
+                             (colours < kChannels.size() ? kChannels[colours] : 0);
+  // Without its last chunk, it ends within another, whose length is too large.
+  return !has_chunk(png, "IEND") || width * height * bits / 8 > kMostPerByte * png.size()
+             ? "damaged or cut short"
+             : "";
 }
 
 struct FreePixels {
@@ -128,21 +153,6 @@ using Pixels = std::unique_ptr<Sample, FreePixels>;
 
 std::size_t samples(const Image& image, int channels) {
   return std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels);
-}
-
-/// Chunks are a length (4 bytes), a type (4), data and a checksum (4), after a signature of 8.
-bool has_chunk(std::span<const std::byte> png, const char* type) {
-  for (std::size_t at = 8; png.size() >= 12 && at <= png.size() - 12;) {
-    std::size_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      length = length << 8 | std::to_integer<std::size_t>(png[at + i]);
-    }
-    if (std::memcmp(&png[at + 4], type, 4) == 0) {
-      return true;
-    }
-    at += 12 + length;
-  }
-  return false;
 }
 
 }  // namespace
@@ -169,12 +179,15 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 }
 
 Image read_png(const std::filesystem::path& file) {
-  const Bytes png = read_file(file);
+  const std::string png = read_file(file);
   const auto fail = [&](const std::string& reason) {
     throw std::runtime_error("cannot read " + file.string() + ": " + reason);
   };
   if (png.size() > std::numeric_limits<int>::max()) {
     fail("file too large");
+  }
+  if (const std::string reason = why_refused(png); !reason.empty()) {
+    fail(reason);
   }
   const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
   const int length = static_cast<int>(png.size());

@@ -6,11 +6,15 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "render/output/input_file.hpp"
 #include "render/output/libav.hpp"
 #include "render/output/output.hpp"
 
@@ -25,11 +29,26 @@ int color_space_of(const AVFrame& frame) {
   return frame.colorspace;
 }
 
+/// Containers that a video of its own comes in, and still pictures; playlists and the like, which
+/// are made of other files, are none.
+constexpr const char* containers =
+    "mov,matroska,avi,mpegts,mpeg,mpegvideo,m4v,h264,hevc,av1,ivf,flv,ogg,asf,mxf,nut,yuv4mpegpipe,"
+    "gif,apng,jpeg_pipe,png_pipe,bmp_pipe,tiff_pipe,webp_pipe,ppm_pipe";
+
+/// For what a container names: no file is opened but the video's.
+int open_nothing(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary**) {
+  return AVERROR(EPERM);
+}
+
+struct CloseInput {
+  void operator()(AVIOContext* p) const { avio_close(p); }
+};
+
 }  // namespace
 
 struct VideoReader::Impl {
   explicit Impl(const std::filesystem::path& name) : file(name), packet(owned(av_packet_alloc())) {
-    av_log_set_level(AV_LOG_FATAL);  // what goes wrong is said by our exceptions
+    av_log_set_level(AV_LOG_QUIET);  // what goes wrong is said by our exceptions
     open_file();
     open_decoder();
   }
@@ -45,16 +64,33 @@ struct VideoReader::Impl {
   }
 
   void open_file() {
-    // "file:" lest a colon in the path be read as a protocol; no file may lead to another place.
+    require_regular_file(file);
+    // "file:" lest a colon in the path be read as a protocol.
     const std::string url = "file:" + file.string();
-    AVFormatContext* opened = nullptr;
+    AVIOContext* bytes = nullptr;
+    check(avio_open(&bytes, url.c_str(), AVIO_FLAG_READ));
+    input.reset(bytes);
+    AVFormatContext* opened = owned(avformat_alloc_context()).release();
+    opened->pb = input.get();
+    opened->io_open = open_nothing;
     AVDictionary* options = nullptr;
-    av_dict_set(&options, "protocol_whitelist", "file", 0);
+    av_dict_set(&options, "format_whitelist", containers, 0);
     const int result = avformat_open_input(&opened, url.c_str(), nullptr, &options);
     av_dict_free(&options);
     check(result);
     demuxer.reset(opened);
-    check(avformat_find_stream_info(demuxer.get(), nullptr));
+    find_streams();
+  }
+
+  /// Some containers do not say at their beginning what they hold; then pictures are decoded here.
+  void find_streams() {
+    std::vector<AVDictionary*> options(demuxer->nb_streams);
+    for (AVDictionary*& of_stream : options)
+      av_dict_set_int(&of_stream, "max_pixels", most_pixels, 0);
+    const int result = avformat_find_stream_info(demuxer.get(), options.data());
+    for (AVDictionary*& of_stream : options)
+      av_dict_free(&of_stream);
+    check(result);
   }
 
   void open_decoder() {
@@ -62,6 +98,7 @@ struct VideoReader::Impl {
     stream = check(av_find_best_stream(demuxer.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0));
     decoder = owned(avcodec_alloc_context3(codec));
     check(avcodec_parameters_to_context(decoder.get(), demuxer->streams[stream]->codecpar));
+    decoder->max_pixels = most_pixels;
     check(avcodec_open2(decoder.get(), codec, nullptr));
   }
 
@@ -99,6 +136,9 @@ struct VideoReader::Impl {
   }
 
   Image to_rgb(const AVFrame& frame) {
+    if (frame.width <= 0 || frame.height <= 0 ||
+        std::size_t(frame.width) * std::size_t(frame.height) > most_pixels)
+      fail("a picture without pixels, or with too many");
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(AVPixelFormat(frame.format));
     if (format == nullptr)
       fail("unknown pixel format");
@@ -138,12 +178,13 @@ struct VideoReader::Impl {
     converted->width = frame.width;
     converted->height = frame.height;
     check(av_frame_get_buffer(converted.get(), 0));
-    sws_scale(converter.get(), frame.data, frame.linesize, 0, frame.height, converted->data,
-              converted->linesize);
+    check(sws_scale(converter.get(), frame.data, frame.linesize, 0, frame.height, converted->data,
+                    converted->linesize));
     return converted;
   }
 
   std::filesystem::path file;
+  std::unique_ptr<AVIOContext, CloseInput> input;
   Owned<AVFormatContext> demuxer;
   Owned<AVCodecContext> decoder;
   Owned<SwsContext> converter;

@@ -49,12 +49,13 @@ std::string device_name() {
 
 #endif
 
-std::unique_ptr<Engine> make_device_engine(const Settings& settings) {
-  return make_engine(settings);
+std::unique_ptr<Engine> make_device_engine(const Settings& settings, Stop stop) {
+  return make_engine(settings, stop);
 }
 
-std::unique_ptr<Engine> make_device_engine(const Settings& settings, const Frame& start) {
-  return make_engine(settings, start);
+std::unique_ptr<Engine> make_device_engine(const Settings& settings, const Frame& start,
+                                           Stop stop) {
+  return make_engine(settings, start, stop);
 }
 
 }  // namespace spindrift::sim

@@ -14,7 +14,8 @@ std::string device_name();
 /// CUDA's number for it. @throws std::runtime_error where there is none
 int device_number();
 
-std::unique_ptr<Engine> make_device_engine(const Settings& settings);
-std::unique_ptr<Engine> make_device_engine(const Settings& settings, const Frame& start);
+std::unique_ptr<Engine> make_device_engine(const Settings& settings, Stop stop = nullptr);
+std::unique_ptr<Engine> make_device_engine(const Settings& settings, const Frame& start,
+                                           Stop stop = nullptr);
 
 }  // namespace spindrift::sim

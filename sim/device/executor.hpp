@@ -10,6 +10,7 @@
 #include "sim/device/loops.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim::inline device {
 
@@ -40,6 +41,7 @@ class Executor {
   /// that until the processor goes on.
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     launch(n, f);
   }
@@ -48,6 +50,7 @@ class Executor {
   /// only. T needs `void join(const T&)`.
   template <class T, class F>
   T reduce(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     if (n == 0)
       return {};
@@ -61,6 +64,7 @@ class Executor {
   /// The same, but what they join to stays where the loops are: use(*state, total) there.
   template <class T, class State, class F, class Use>
   void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     State* const to = state.place();
     join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { use(*to, total); });
@@ -69,6 +73,7 @@ class Executor {
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     flags_.renew(n);
     std::uint8_t* flags = flags_.data();
@@ -101,6 +106,10 @@ class Executor {
   /// Until the processor may look at the particles.
   void wait() const { device::wait(); }
 
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
+  void obey(Stop stop) { stop_ = stop; }
+
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }
   std::size_t memory_bytes() const {
@@ -111,6 +120,7 @@ class Executor {
 
  private:
   PhaseClock clock_;
+  Stop stop_ = nullptr;
   Scratch scratch_;
   CopyRooms copies_;
   Array<std::uint8_t> flags_;                                         ///< of select()
@@ -121,6 +131,7 @@ class Executor {
 template <class Place, class Value>
 void Executor::add_at_places(std::string_view name, Index n, float* sums, Index place_count,
                              Place place, Value value) {
+  throw_if_stopped(stop_);
   const PhaseClock::Scope timed(clock_, name);
   if (n == 0)
     return;

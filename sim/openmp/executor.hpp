@@ -14,6 +14,7 @@
 #include "sim/openmp/arrays.hpp"
 #include "sim/phase_clock.hpp"
 #include "sim/reductions.hpp"
+#include "sim/stop.hpp"
 
 namespace spindrift::sim::inline openmp {
 
@@ -60,6 +61,7 @@ class Executor {
   /// f(i) for i in [0, n). `name` is the phase in the profile; a string literal.
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     const std::int64_t blocks = block_count(n);
 #pragma omp parallel for schedule(dynamic, 1)
@@ -75,6 +77,7 @@ class Executor {
   /// floating-point sum does not depend on the threads. T needs `void join(const T&)`.
   template <class T, class F>
   T reduce(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     const std::int64_t blocks = block_count(n);
     std::vector<T> partial(static_cast<std::size_t>(blocks));
@@ -102,6 +105,7 @@ class Executor {
   /// The i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<Index>& chosen, F f) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     chosen.clear();
     for (Index i = 0; i < n; ++i)
@@ -112,6 +116,7 @@ class Executor {
   /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
   template <class Place, class Value>
   void add_at_places(std::string_view name, Index n, float* sums, Index, Place place, Value value) {
+    throw_if_stopped(stop_);
     const PhaseClock::Scope timed(clock_, name);
     for (Index k = 0; k < n; ++k)
       sums[place(k)] += value(k);
@@ -138,6 +143,12 @@ class Executor {
     return 0;
   }
 
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
+  void obey(Stop stop) {
+    stop_ = stop;
+  }
+
   PhaseClock& clock() {
     return clock_;
   }
@@ -150,6 +161,7 @@ class Executor {
     return (n + block_size - 1) / block_size;
   }
   PhaseClock clock_;
+  Stop stop_ = nullptr;
 };
 
 }  // namespace spindrift::sim::inline openmp

@@ -51,7 +51,7 @@ void DistanceGrid::sort_blocks(const TriangleTree& tree, std::size_t first, floa
     if (distance <= wanted[below]) {
       const glm::vec3 center = corner(block) + 0.5f * edge;
       distance = tree.nearest(center).distance;
-      below = tree.winding_number(center) != 0;
+      below = tree.winding_number(center) > 0;
     }
     blocks_[block] = distance <= wanted[below] ? 0 : below ? inside : outside;
   }
@@ -80,7 +80,7 @@ void DistanceGrid::fill_block(const TriangleTree& tree, std::size_t block, float
         }
         const TriangleTree::Nearest nearest = tree.nearest(p, guess, tolerance);
         if (at_least <= 0)
-          side = tree.winding_number(p) == 0 ? 1.f : -1.f;
+          side = tree.winding_number(p) > 0 ? -1.f : 1.f;
         last = p;
         last_distance = nearest.distance;
         guess = nearest.triangle;

@@ -100,7 +100,9 @@ Ball largest_ball(const TriangleTree& tree, const Place& place, float most) {
   Ball ball{place.point - most * place.normal, most};
   TriangleTree::Nearest other = tree.nearest(ball.center);
   glm::vec3 touched = place.point;
-  for (int k = 0; k < 30 && other.distance < nearly * ball.radius; ++k) {
+  // In a wall that is very thin the first centre is beyond it, and hardly nearer to its other side.
+  const bool beyond = tree.winding_number(ball.center) == 0;
+  for (int k = 0; k < 30 && (other.distance < nearly * ball.radius || (beyond && k == 0)); ++k) {
     touched = other.point;
     const glm::vec3 across = place.point - touched;
     const float smaller = glm::dot(across, across) / (2 * glm::dot(place.normal, across));

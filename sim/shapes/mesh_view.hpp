@@ -63,6 +63,40 @@ SPINDRIFT_HD inline float squared_distance_to_box(const glm::vec3& p, const Tria
   return glm::dot(outside, outside);
 }
 
+/// Where a straight way enters a solid from outside.
+struct Entry {
+  bool found = false;
+  float part = 0;         ///< of the way that is before it
+  glm::vec3 normal{0.f};  ///< of the surface there, of unit length
+};
+
+/// Six times the volume of the tetrahedron of a way and an edge of a triangle, all seen from the
+/// way's begin. It changes its sign exactly, and nothing else, when the edge is turned around, so
+/// that of two triangles with a common edge one is met, or the other.
+SPINDRIFT_HD inline double around_edge(const glm::dvec3& way, const glm::dvec3& a,
+                                       const glm::dvec3& b) {
+  return way.x * (a.y * b.z - a.z * b.y) + way.y * (a.z * b.x - a.x * b.z) +
+         way.z * (a.x * b.y - a.y * b.x);
+}
+
+/// Takes over the entry of a way through a triangle's front, if it is an earlier one.
+SPINDRIFT_HD inline void join_entry(const Triangle& t, const glm::dvec3& from,
+                                    const glm::dvec3& way, Entry& first) {
+  const glm::dvec3 a = glm::dvec3(t.a) - from, b = glm::dvec3(t.b) - from,
+                   c = glm::dvec3(t.c) - from;
+  const double ab = around_edge(way, a, b), bc = around_edge(way, b, c),
+               ca = around_edge(way, c, a);
+  if (ab > 0 || bc > 0 || ca > 0)
+    return;
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double along = glm::dot(way, normal);
+  if (!(along < 0))
+    return;
+  const double part = glm::dot(a, normal) / along;
+  if (part >= 0 && part <= 1 && (!first.found || part < double{first.part}))
+    first = {true, static_cast<float>(part), glm::vec3(glm::normalize(normal))};
+}
+
 struct TriangleTreeView {
   static constexpr int most_levels = 64;  ///< a tree of 2³² triangles split in halves has 32
   const Triangle* triangles = nullptr;
@@ -107,6 +141,30 @@ struct TriangleTreeView {
     }
     best.distance = std::sqrt(squared);
     return best;
+  }
+
+  /// Where a way first passes a triangle from its front to its back.
+  SPINDRIFT_HD SPINDRIFT_APART Entry entry(const glm::vec3& from, const glm::vec3& to) const {
+    const glm::vec3 low = glm::min(from, to), high = glm::max(from, to);
+    const glm::dvec3 begin(from), way = glm::dvec3(to) - begin;
+    Entry first;
+    std::uint32_t stack[most_levels];
+    int waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+      const std::uint32_t next = stack[--waiting];
+      const TriangleNode& node = nodes[next];
+      if (low.x > node.high.x || low.y > node.high.y || low.z > node.high.z ||
+          high.x < node.low.x || high.y < node.low.y || high.z < node.low.z)
+        continue;
+      for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+        join_entry(triangles[k], begin, way, first);
+      if (node.count > 0)
+        continue;
+      stack[waiting++] = node.first;
+      stack[waiting++] = next + 1;
+    }
+    return first;
   }
 };
 
@@ -179,6 +237,21 @@ struct MeshView {
     }
     // Midway between two sides, and far inside, the gradient does not tell the way out.
     return tree.nearest(p).point;
+  }
+
+  /// Where a way enters the body, or would if it went on by a margin, m.
+  SPINDRIFT_HD Entry entry(const glm::vec3& from, const glm::vec3& to, float margin) const {
+    const glm::vec3 way = to - from;
+    const float length = glm::length(way);
+    // Linear in between, the grid's distance is off by no more than the cell's half diagonal.
+    const float distance = grid.at(from).distance;
+    const bool is_far =
+        std::isfinite(distance) && 0.95f * std::abs(distance) - 0.87f * grid.cell > length + margin;
+    if (is_far || !(length > 0))
+      return {};
+    Entry entry = tree.entry(from, to + (margin / length) * way);
+    entry.part *= (length + margin) / length;
+    return entry;
   }
 };
 

@@ -32,6 +32,7 @@ grep -q "The same command goes on" "$folder/err" || fail "it did not say how to 
 [[ -s $folder/cut/video.mp4 ]] || fail "it left no video"
 head -c 12 "$folder/cut/video.mp4" | grep -q ftyp || fail "the video is no MP4"
 grep -q '"complete": false' "$folder/cut/run.json" || fail "the report says it is complete"
+grep -q '^scene: 30 frames, [0-9]* particles at the start$' "$folder/err" || fail "the log does not show that it has begun"
 finished=$(find "$folder/cut/frames" -name '*.png' | wc -l)
 ((finished >= 4 && finished < 30)) || fail "$finished frames were left; the run was not cut in its middle"
 
@@ -75,6 +76,47 @@ for change in entered drained; do
   (($(grep -c "\"$change\": [1-9]" "$folder/alive/run.json") > 10)) || fail "few frames in which particles $change"
 done
 for part in particles frames video.mp4; do
-  diff -r -x '.*' "$folder/alive/$part" "$folder/killed/$part" >"$folder/err" || fail "$part of the killed run differ"
+  diff -r -x '.*' -x simulation.json "$folder/alive/$part" "$folder/killed/$part" >"$folder/err" || fail "$part of the killed run differ"
 done
+
+# A lost terminal is as Ctrl-C; a second word of it does no harm. With nohup the run goes on.
+begin() {
+  "$@" "$program" render "$folder/scene.json" -o "$folder/hangup" --no-cache --quiet --progress json \
+    >"$folder/out" 2>"$folder/err" </dev/null &
+  pid=$!
+  for _ in $(seq 1000); do
+    [[ -e $folder/hangup/frames/0001.png ]] && break
+    sleep 0.02
+  done
+}
+begin env
+kill -HUP $pid
+sleep 0.02
+kill -HUP $pid 2>/dev/null
+wait $pid
+code=$?
+((code == 3)) || fail "a run whose terminal was lost returned $code instead of 3"
+grep -q "interrupted after" "$folder/err" || fail "it did not say that it was interrupted"
+[[ -s $folder/hangup/video.mp4 ]] || fail "without its terminal it left no video"
+head -n 1 "$folder/err" | grep -q '^{"frame":0,"finished":1,"of":30,"time":0.0,"particles":[0-9]*,"seconds":[0-9.e-]*,"seconds_left":[0-9.e-]*}$' ||
+  fail "there is no line of JSON for the first frame"
+rm -r "$folder/hangup"
+begin nohup
+kill -HUP $pid
+wait $pid || fail "with nohup the run ended on SIGHUP"
+(($(grep -c '^{"frame":' "$folder/err") == 30)) || fail "there is not a line of JSON for each frame"
+
+# A second run in the folder is told who is at work there; nobody who reads the log is no reason to end.
+rm -r "$folder/hangup"
+begin env
+"$program" render "$folder/scene.json" -o "$folder/hangup" >"$folder/out" 2>"$folder/second" </dev/null
+code=$?
+((code == 3)) || fail "a second run in the same folder returned $code instead of 3"
+grep -q "hangup: .*render.*(process $pid) has been at work here since 20" "$folder/second" ||
+  fail "it did not say who is at work: $(cat "$folder/second")"
+kill -KILL $pid
+wait $pid 2>/dev/null
+"$program" render "$folder/scene.json" -o "$folder/hangup" --no-cache --progress json 2>&1 >/dev/null </dev/null | head -n 1 >/dev/null
+((PIPESTATUS[0] == 0)) || fail "a run ended since nobody read its log"
+[[ -z $(find "$folder/hangup" -name '.*.part*') ]] || fail "part files of the killed run are left"
 exit 0

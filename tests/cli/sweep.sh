@@ -16,10 +16,11 @@ grid=("${varied[@]}" --reference viscosity=2,smoothing=5 --target gauge_m=0.41 -
 sweep() { "$program" sweep "$@" >"$folder/out" 2>"$folder/err" </dev/null; }
 children_of() { cat /proc/"$1"/task/*/children 2>/dev/null; }
 count() { find "$1" -name "$2" 2>/dev/null | wc -l; }
+complete_in() { grep -sl '"complete": true' "$1"/*/run.json | wc -l; }
 
 # What does not depend on the machine's speed, as a list of checksums.
 checksums() {
-  (cd "$1" && find . -type f ! -name '.*' ! -name run.json ! -name seconds.txt ! -name probes.html \
+  (cd "$1" && find . -type f ! -name '.*' ! -name run.json ! -name simulation.json ! -name seconds.txt ! -name probes.html \
     ! -name report.html ! -name sweep.csv ! -name sweep.json -exec sha256sum {} + | sort -k 2
     sed '/_seconds"/d' sweep.json | sha256sum)
 }
@@ -43,18 +44,18 @@ ended_by_force() {
   "$program" sweep "$@" -o "$out" --quiet </dev/null 2>"$folder/err" &
   pid=$!
   for _ in $(seq 6000); do
-    (($(count "$out/runs" run.json) >= complete)) && break
+    (($(complete_in "$out/runs") >= complete)) && break
     sleep 0.02
   done
   sweep "$@" -o "$out"
-  (($? == 3)) && grep -q "another sweep is at work here" "$folder/err" ||
+  (($? == 3)) && grep -q "sweep .*(process $pid) has been at work here" "$folder/err" ||
     fail "a second sweep in the same folder was not refused"
   end_by_force $pid
   find "$out/simulations" "$out/runs" -type f \( -name '*.particles' -o -name '*.readings' \) -printf '%p %T@ %i\n' \
     2>/dev/null >"$folder/before"
   local run
   for run in "$out"/runs/*; do
-    [[ -e $run/run.json ]] && stat -c '%n %y %i' "$run/video.mp4" "$run/run.json" "$run/frames/0000.png"
+    grep -qs '"complete": true' "$run/run.json" && stat -c '%n %y %i' "$run/video.mp4" "$run/run.json" "$run/frames/0000.png"
   done >"$folder/videos_before"
 }
 
@@ -116,7 +117,7 @@ grep -q "^0 simulations, 0 videos and 0 comparisons" "$folder/out" || fail "it d
 # Ended by force half-way: nothing twice, and the same bytes.
 ended_by_force "$folder/cut" 3 "${grid[@]}"
 for run in "$folder"/cut/runs/*; do  # as an end by force may leave it
-  [[ -e $run/run.json ]] || { touch "$run/.video.1-0.part.mp4"; break; }
+  grep -qs '"complete": true' "$run/run.json" || { touch "$run/.video.1-0.part.mp4"; break; }
 done
 went_on "$folder/cut" "${grid[@]}"
 diff <(checksums "$folder/whole") <(checksums "$folder/cut") || fail "the results differ"

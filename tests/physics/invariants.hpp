@@ -60,7 +60,7 @@ class InvariantsWatch {
     if (settings.solver.type != sim::SolverType::sph || sim::any_moves(settings.obstacles))
       return;
     const float radius = sim::constants_of(settings.fluid).support_radius;
-    sim::Walls walls(settings, sim::grid_over(settings, radius), radius);
+    sim::Walls walls(settings, sim::grid_over(settings, radius), radius, nullptr);
     for (std::uint32_t b = 0; b < walls.boundary().count(); ++b)
       sample_volumes_.push_back(walls.boundary().positions().value(b));
   }

@@ -25,6 +25,7 @@ inline void check_same(const sim::Frame& a, const sim::Frame& b) {
   CHECK(same_bytes(a.densities, b.densities));
   CHECK(same_bytes(a.boundary_pressures, b.boundary_pressures));
   CHECK(a.last_time_step == b.last_time_step);
+  CHECK(a.allowed_time_step == b.allowed_time_step);
 }
 
 /// Runs a scene to each of the times on one, two and four threads; the last frames must be the

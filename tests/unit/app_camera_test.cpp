@@ -8,6 +8,7 @@
 #include "app/camera.hpp"
 #include "app/estimate.hpp"
 #include "app/obstacle_mesh.hpp"
+#include "sim/shapes/measures.hpp"
 
 using namespace spindrift;
 using namespace spindrift::app;
@@ -140,7 +141,7 @@ TEST_CASE("obstacle meshes are closed, face outward and hold the shape's volume"
     INFO("shape " << shape.index());
     const Mesh mesh = mesh_of(shape);
     check_closed(mesh);
-    CHECK(volume_inside(mesh) == Approx(shape_volume(shape)).epsilon(0.01));
+    CHECK(volume_inside(mesh) == Approx(sim::volume_of(shape)).epsilon(0.01));
   }
   CHECK(mesh_of(shapes[0]).triangles.size() == 12);
 }

@@ -63,6 +63,19 @@ TEST_CASE("folders are compared picture by picture, and a report is left") {
   CHECK((equal.pixels[0] == 0 && equal.pixels[2] == 4));
 }
 
+TEST_CASE("records of runs that are no records are left out of a comparison") {
+  const TemporaryFolder folder;
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  for (const std::string& text :
+       {std::string("{"), std::string("[]"), "{\"scene\": " + deep + "}"}) {
+    for (const char* run : {"a", "b"}) {
+      write_waves(folder / run, 1);
+      std::ofstream(folder / run / "run.json") << text;
+    }
+    REQUIRE(run_compare(options_for(folder / "a", folder / "b", folder)) == done);
+  }
+}
+
 TEST_CASE("every pair must be within the limits, not their mean") {
   const TemporaryFolder folder;
   write_waves(folder / "a", 4);

@@ -12,10 +12,12 @@
 #include "app/mesh_file.hpp"
 #include "app/obstacle_mesh.hpp"
 #include "app/scene.hpp"
+#include "app/scene_meshes.hpp"
 #include "mesh_support.hpp"
 #include "output_support.hpp"
 #include "render/output/output.hpp"
 #include "sim/shapes.hpp"
+#include "sim/shapes/measures.hpp"
 
 using namespace spindrift;
 using namespace spindrift::app;
@@ -199,6 +201,26 @@ TEST_CASE("a cavity stays one") {
   CHECK(enclosed_volume(closed_surface(hollow)) == Approx(1 - 0.125));
 }
 
+TEST_CASE("a mesh with an inner shell is hollow whichever way that is turned, and is told of") {
+  const TemporaryFolder folder;
+  for (const bool turned : {false, true}) {
+    const auto tank = joined(box_mesh(glm::vec3(0), {1.6f, 1.2f, 1}),
+                             box_mesh(glm::vec3(0.1f), {1.5f, 1.1f, 0.9f}), turned);
+    write_text(folder / "tank.obj", obj_text(tank));
+    const Scene scene = scene_with(folder, "tank.obj");
+    const sim::Shape& shape = scene.simulation.obstacles[0].shape;
+    CHECK(sim::is_inside(shape, glm::vec3(0.05f)));
+    CHECK_FALSE(sim::is_inside(shape, glm::vec3(0.5f)));
+    const std::vector<Complaint> warnings = mesh_warnings(scene);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].path == "obstacles[0].mesh");
+    CHECK(warnings[0].message ==
+          "tank.obj has 1 inner shell: what is within it is hollow, whichever way triangles face");
+  }
+  write_text(folder / "box.obj", obj_text(box_mesh({2, 0, 0}, {3, 1, 0.8f})));
+  CHECK(mesh_warnings(scene_with(folder, "box.obj")).empty());
+}
+
 TEST_CASE("boxes that touch at an edge are closed") {
   const auto two = joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 1, 0}, {2, 2, 1}));
   CHECK(enclosed_volume(closed_surface(two)) == Approx(2));
@@ -244,12 +266,12 @@ TEST_CASE("bad mesh files are refused with their place, the reason and what to d
   says("torn.obj", {"torn.obj: is not closed: 3 edges are without a neighbour", "close the holes"});
   says("lid_off.ply", {"is not closed: 4 edges are without", "[2, 0, 0.8]"});
   says("points.obj", {"points.obj: has no triangles"});
-  says("empty.ply", {"empty.ply: can't be read"});
-  says("words.obj", {"words.obj"});
-  says("short.ply", {"short.ply"});
-  says("nan.ply", {"nan.ply"});
+  says("empty.ply", {"empty.ply: is not a PLY"});
+  says("words.obj", {"words.obj: has no triangles"});
+  says("short.ply", {"short.ply: line", "is cut short"});
+  says("nan.ply", {"nan.ply: line 13: nan is not a coordinate"});
   says("flat.obj", {"encloses no volume"});
-  says("folder.obj", {"folder.obj: is not a file"});
+  says("folder.obj", {"folder.obj: is a folder, not a file"});
   says("bunny.obj", {"500 m wide; accepted: 0.05 ... 32 m", "scale"}, R"(, "scale": 500)");
   says("bunny.obj", {"0.01 m wide", "scale"}, R"(, "scale": 0.01)");
   says("bunny.obj", {"mesh.rotate[1]", "-360 ... 360 degrees"}, R"(, "rotate": [0, 400, 0])");
@@ -310,8 +332,8 @@ TEST_CASE("a mesh fills with liquid like the shape that it stands for") {
   CHECK(static_cast<double>(mesh.particles) ==
         Approx(static_cast<double>(sphere.particles)).epsilon(0.04));
   const sim::Shape ball = solid(ball_mesh({1, 1, 1}, 0.4f, 4), 0.05f);
-  CHECK(shape_volume(ball) == Approx(shape_volume(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
-  CHECK(shape_area(ball) == Approx(shape_area(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
+  CHECK(sim::volume_of(ball) == Approx(sim::volume_of(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
+  CHECK(sim::area_of(ball) == Approx(sim::area_of(sim::Sphere{{1, 1, 1}, 0.4f})).epsilon(0.01));
 }
 
 TEST_CASE("a drawn mesh is smooth where it is round and sharp at its edges") {

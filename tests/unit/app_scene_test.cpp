@@ -201,6 +201,21 @@ TEST_CASE("the estimate counts particles exactly and grows with the scene") {
   CHECK(estimate(longer, 1).seconds > 2. * cost.seconds);
 }
 
+TEST_CASE("a nozzle in a wall that is too thin is refused with the thickness that works") {
+  const char* const text = R"({
+    "fluid": {"spacing": 0.05, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.3, 0.1, 1.2]}}],
+              "emitters": [{"disc": {"center": [0.6, 0.25, 0.6], "direction": [0, 1, 0],
+                                     "radius": 0.1}, "speed": 2.6}]},
+    "domain": {"min": [0, 0, 0], "max": [1.2, 0.5, 1.2], "open": ["+y"]},
+    "obstacles": [{"box": {"min": [0.45, 0, 0.45], "max": [0.75, 0.25, 0.75]}}]})";
+  CHECK_THROWS_WITH(parse(text), Catch::Contains("fluid.emitters[0].disc") &&
+                                     Catch::Contains("1.75 spacings (0.0875 m) are needed"));
+  CHECK_NOTHROW(parse(text, {"fluid.spacing=0.025"}));
+  CHECK_NOTHROW(parse(
+      text, {"obstacles.0.box.min=[0.425,0,0.425]", "obstacles.0.box.max=[0.775,0.25,0.775]"}));
+  CHECK_NOTHROW(parse(text, {"obstacles=[]"}));  // in the air
+}
+
 TEST_CASE("emitters alone fill an empty domain, and what they bring is counted beforehand") {
   const char* const text = R"({
     "fluid": {"emitters": [{"rectangle": {"center": [1, 1.5, 0.4], "direction": [0, -1, 0],

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "app/report.hpp"
 #include "app/sweep_file.hpp"
 #include "app/sweep_folder.hpp"
 #include "app/sweep_plan.hpp"
@@ -223,6 +224,47 @@ TEST_CASE("few runs are compared each with each, many with the reference alone")
   CHECK(pairs.size() == 15);
   CHECK(std::all_of(pairs.begin(), pairs.end(), [](const SweepPair& p) { return p.all_frames; }));
   CHECK(pairs_of(plan_of({"video.width=160,320"})).empty());
+}
+
+TEST_CASE("runs whose records or probes are damaged are done anew, or have no figures") {
+  const TemporaryFolder root;
+  SweepPlan plan = plan_of({"fluid.viscosity=1,2"});
+  const SweepRun& run = plan.runs.front();
+  const SweepFolder folder(root / "");
+  const auto place = folder.run(run);
+  std::filesystem::create_directories(place);
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(place / name) << text;
+  };
+  write("video.mp4", "");
+  const Json whole{{"complete", true},
+                   {"simulation_hash", simulation_hash(run.scene)},
+                   {"versions", versions_json()},
+                   {"scene", to_json(run.scene)}};
+  write("run.json", whole.dump());
+  CHECK(folder.is_drawn(run));
+  for (const char* text : {"", "[]", "3", "{", "\xff\xfe"}) {
+    write("run.json", text);
+    CHECK_FALSE(folder.is_drawn(run));
+  }
+  for (const char* key : {"complete", "simulation_hash", "versions", "scene"})
+    for (const Json& value : {Json("yes"), Json(1), Json::array({1}), Json::object(), Json()}) {
+      Json damaged = whole;
+      damaged[key] = value;
+      write("run.json", damaged.dump());
+      CHECK_FALSE(folder.is_drawn(run));
+    }
+
+  Json damaged = whole;
+  damaged["steps"] = "many";
+  write("run.json", damaged.dump());
+  write("probes.csv", "time_s,front_m\n0,1\n0.1,one\n,1e999\n0.3,4,5,6\n");
+  plan.runs.front().scene.probes.emplace_back();
+  damaged["scene"] = to_json(plan.runs.front().scene);
+  write("run.json", damaged.dump());
+  const SweepResult result = read_results(plan, folder, {"", ""}).front();
+  CHECK(result.figures.at("steps") == 0);
+  CHECK(result.figures.at("front_m") == 4);
 }
 
 TEST_CASE("tasks run after those that they need, and never need more memory than there is") {

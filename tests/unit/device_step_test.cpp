@@ -129,6 +129,7 @@ void check_same_exchange(const Exchange& a, const Exchange& b) {
 void check_same_frame(const Frame& a, const Frame& b) {
   CHECK(a.time == b.time);
   CHECK(a.last_time_step == b.last_time_step);
+  CHECK(a.allowed_time_step == b.allowed_time_step);
   CHECK(a.positions == b.positions);
   CHECK(a.velocities == b.velocities);
   CHECK(a.densities == b.densities);

@@ -6,57 +6,11 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
 #include "app/bounded_queue.hpp"
-#include "app/commands.hpp"
-#include "app/particle_cache.hpp"
-#include "app/scene.hpp"
-#include "output_support.hpp"
-#include "render/output/output.hpp"
-
-namespace fs = std::filesystem;
-using namespace spindrift;
-using output_test::TemporaryFolder;
-
-namespace {
-
-const char* const small_scene = R"({
-  "fluid": {"spacing": 0.08, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.4, 0.64, 0.4]}}]},
-  "domain": {"min": [0, 0, 0], "max": [0.96, 0.8, 0.4]},
-  "video": {"width": 96, "height": 64, "duration": 0.2}
-})";
-
-app::Scene scene(const app::Overrides& set = {}) {
-  return app::parse_scene(small_scene, "small.json", set);
-}
-
-app::RenderOptions options_for(const fs::path& folder) {
-  app::RenderOptions options;
-  options.output = folder;
-  options.quiet = true;
-  return options;
-}
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-nlohmann::json report_of(const fs::path& folder) {
-  return nlohmann::json::parse(bytes_of(folder / "run.json"));
-}
-
-int count(const fs::path& folder) {
-  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-}  // namespace
+#include "pipeline_support.hpp"
 
 TEST_CASE("a run leaves its frames, a video and a report") {
   const TemporaryFolder folder;
@@ -128,7 +82,8 @@ TEST_CASE("a range of frames draws only those") {
   REQUIRE(app::run_render(scene(), options) == app::done);
   CHECK(count(options.output / "frames") == 2);
   CHECK(fs::exists(options.output / "frames/0002.png"));
-  CHECK(report_of(options.output).at("complete") == true);
+  CHECK(report_of(options.output).at("complete") == false);
+  CHECK(report_of(options.output).at("pictures") == nlohmann::json::parse("[[2, 3]]"));
 }
 
 TEST_CASE("pictures left from a longer run go away") {
@@ -229,8 +184,10 @@ TEST_CASE("a damaged particle file is an error that names it") {
   REQUIRE(app::run_render(scene(), options) == app::done);
   const fs::path kept = fs::directory_iterator(options.output / "particles")->path();
   fs::resize_file(kept / "0002.particles", 1000);
-  CHECK_THROWS_WITH(app::ParticleCache(kept).read(2), Catch::Contains("0002.particles"));
-  CHECK_THROWS_WITH(app::ParticleCache(kept).read(99), Catch::Contains("0099.particles"));
+  const app::ParticleCache cache(kept);
+  CHECK(cache.simulation() == kept.filename());
+  CHECK_THROWS_WITH(cache.read(2), Catch::Contains("0002.particles"));
+  CHECK_THROWS_WITH(cache.read(99), Catch::Contains("0099.particles"));
 }
 
 TEST_CASE("a queue hands over in order, waits when full, and ends when closed") {

@@ -5,6 +5,7 @@
 #include "sample_support.hpp"
 #include "sim/boundary.hpp"
 #include "sim/contact.hpp"
+#include "sim/fill.hpp"
 #include "sim/shapes.hpp"
 #include "sim/simulation.hpp"
 

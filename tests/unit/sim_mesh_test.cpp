@@ -9,6 +9,7 @@
 #include "mesh_support.hpp"
 #include "sample_support.hpp"
 #include "sim/contact.hpp"
+#include "sim/fill.hpp"
 #include "sim/shapes.hpp"
 
 using namespace spindrift::sim;
@@ -196,7 +197,7 @@ TEST_CASE("no place on a concave body is far from a sample") {
 }
 
 TEST_CASE("a wall thinner than a spacing has one layer of samples, in its middle") {
-  const float wall = GENERATE(0.02f, 0.3f, 0.9f, 1.2f) * d;
+  const float wall = GENERATE(0.005f, 0.02f, 0.3f, 0.9f, 1.2f) * d;
   const TriangleSurface plate = box_mesh({0, 0, 0}, {1, wall, 1});
   const auto samples = sample_surface(solid(plate, d), d);
   int inner = 0;

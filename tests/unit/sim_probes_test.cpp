@@ -104,6 +104,60 @@ TEST_CASE("pressure on a wall is that of the liquid half a spacing off it") {
   CHECK(pressure_at(frame, spacing, {2, 0.5f, 0.5f}) == Approx(9810 * 0.5).epsilon(2e-3));
 }
 
+TEST_CASE("probes do not see through a wall, fixed or moved, of any thickness") {
+  const float thickness = GENERATE(0.001f, 0.5f, 1.5f) * spacing;
+  const bool moves = GENERATE(false, true);
+  CAPTURE(thickness / spacing, moves);
+  Settings s;
+  s.fluid.spacing = spacing;
+  s.domain = domain;
+  // Deep on the left of the wall, shallow on its right.
+  Frame frame = block({0, 0, 0}, {2, 1, 1});
+  const Frame right = block({2.2f, 0, 0}, {4, 0.3f, 1});
+  frame.positions.insert(frame.positions.end(), right.positions.begin(), right.positions.end());
+  frame.pressures.insert(frame.pressures.end(), right.pressures.size(), 70.f);
+  frame.velocities.resize(frame.positions.size());
+  const float shift = moves ? 1 : 0;
+  const float far = 2 + thickness;
+  s.obstacles = {{.shape = Box{{2 - shift, -1, -1}, {far - shift, 5, 2}}}};
+  if (moves) {
+    s.obstacles[0].motion.emplace();
+    s.obstacles[0].motion->keyframes = {{.time = 0, .translate = {1, 0, 0}, .rotate = {}}};
+  }
+  const auto pressure = [&](float x, float y) {
+    return measure({"p", PressureProbe{{x, y, 0.5f}}}, frame, s)[0];
+  };
+  const auto height = [&](float x) {
+    return measure({"h", SurfaceHeightProbe{x, 0.5f}}, frame, s)[0];
+  };
+  CHECK(pressure(2, 0.5f) == Approx(9810 * 0.5).epsilon(2e-3));
+  CHECK(pressure(1.97f, 0.5f) == Approx(9810 * 0.5).epsilon(2e-3));
+  CHECK(pressure(far, 0.7f) == 0);
+  CHECK(pressure(far + 0.05f, 0.7f) == 0);
+  CHECK(pressure(far, 0.15f) == Approx(70));
+  if (thickness < spacing)
+    CHECK(pressure_at(frame, spacing, {far, 0.7f, 0.5f}) > 0);  // but for the wall
+  CHECK(height(2.2f) < 0.35);
+}
+
+TEST_CASE("what is still in a nozzle behind a closed face is not in sight") {
+  Settings s;
+  s.domain = domain;
+  s.domain.open = {Direction::plus_y};
+  s.fluid.emitters.emplace_back();
+  Frame frame;
+  frame.positions = {{1, 1, 0.5f}, {-0.1f, 1, 0.5f}, {0, 0, 0}, {1, 3.1f, 0.5f}, {4, 3, 1.01f}};
+  frame.ids = {7, 8, 9, 10, 11};
+  frame.velocities.resize(5);
+  for (auto* values : {&frame.densities, &frame.pressures, &frame.multipliers})
+    *values = {1, 2, 3, 4, 5};
+  const Frame seen = in_sight(s, frame);
+  CHECK(seen.ids == std::vector<std::uint32_t>{7, 9, 10});
+  CHECK(seen.pressures == std::vector<float>{1, 3, 4});
+  CHECK(seen.positions.size() == 3);
+  CHECK(seen.positions[2] == frame.positions[3]);
+}
+
 TEST_CASE("the front is the bulk's end in every direction, whatever flies ahead") {
   Frame frame = block({0.4f, 0.3f, 0.2f}, {1.9f, 0.8f, 0.7f});
   if (GENERATE(false, true)) {

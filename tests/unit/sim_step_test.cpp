@@ -1,14 +1,19 @@
 // One PCISPH step on few particles against the algorithm written out plainly in double precision,
 // and what a step must keep to.
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <future>
+#include <thread>
 #include <vector>
 
 #include "sim/initial.hpp"
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 #include "sim/simulation.hpp"
+#include "sim/time_step.hpp"
 
 using namespace spindrift::sim;
 using glm::dvec3;
@@ -319,6 +324,66 @@ TEST_CASE("a block that falls freely costs the fewest steps there can be, and no
     CHECK(f.steps == 4);
     CHECK(f.iterations == 0);
   }
+}
+
+TEST_CASE("stops do not hold back the steps between them") {
+  Settings s;
+  s.fluid.spacing = 0.06f;
+  s.domain = {{0, 0, 0}, {1.2f, 0.72f, 0.3f}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.48f, 0.6f, 0.3f}}}};
+  const double end = 0.4;
+  Simulation free(s);
+  const int needed = free.advance_to(end).steps;
+  for (const int rate : {240, 250, 500, 510, 1000}) {
+    Simulation simulation(s), rest(s);
+    const int stops = static_cast<int>(std::lround(rate * end));
+    int steps = 0;
+    double worst = 0;
+    for (int k = 1; k <= stops; ++k) {
+      const FrameStatistics f = simulation.advance_to(k * end / stops);
+      steps += f.steps;
+      worst = std::max(worst, f.max_compression);
+    }
+    CAPTURE(rate, stops, needed);
+    CHECK(steps <= 1.1 * std::max(stops, needed));
+    CHECK(worst <= 0.0255);
+  }
+}
+
+TEST_CASE("steps grow back from one that ended early as if it had not") {
+  SolverSettings solver;
+  solver.max_time_step = 0.01f;
+  FluidConstants constants{};
+  constants.support_radius = 0.1f;
+  constants.rest_density = 1000;
+  TimeStepControl control(solver, constants, 1);
+  CHECK(control.next(1, 0, 0, 0) == Approx(0.01));
+  control.accepted(0.01);
+  CHECK(control.next(0.001, 0, 0, 0) == Approx(0.001));
+  control.accepted(0.001);
+  CHECK(control.last() == Approx(0.001));
+  CHECK(control.next(1, 0, 0, 0) == Approx(0.01));
+  // After one that was refused they grow by 1.3 at a time.
+  control.accepted(control.refused(0.01));
+  CHECK(control.next(0.0065, 0, 0, 0) == Approx(0.0065));
+  control.accepted(0.0065);
+  CHECK(control.next(0.001, 0, 0, 0) == Approx(0.001));
+  control.accepted(0.001);
+  CHECK(control.next(0.0099, 0, 0, 0) == Approx(0.0099));
+}
+
+TEST_CASE("a run is told to stop while liquid is let apart that has no room", "[slow]") {
+  Settings s;
+  s.fluid.spacing = 0.05f;
+  s.domain = {{0, 0, 0}, {1, 1, 1}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {1, 1, 1}}}, {Box{{0.01f, 0, 0}, {1, 1, 1}}}};
+  Simulation simulation(s);
+  std::atomic<bool> stop = false;
+  const auto later = std::async(std::launch::async, [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    stop = true;
+  });
+  CHECK_NOTHROW(simulation.advance_to(0.1, &stop));  // without it there is an error in the end
 }
 
 TEST_CASE("a tighter tolerance gives a smaller measured error") {

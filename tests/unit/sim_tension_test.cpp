@@ -75,7 +75,7 @@ TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta
   const FluidConstants constants = constants_of(s.fluid);
   const float radius = 1.05f * constants.support_radius;
   const GridMap map = GridMap::over({-0.1f, -0.1f, -0.1f}, {1.1f, 1.1f, 1.1f}, radius);
-  Boundary boundary(s, map, constants.support_radius);
+  Boundary boundary(s, map, constants.support_radius, nullptr);
   Neighbourhood neighbourhood(map, boundary);
   Executor executor;
   Particles particles;

@@ -1,0 +1,163 @@
+#include "app/scene_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/estimate.hpp"
+#include "app/scene_document.hpp"
+#include "app/scene_meshes.hpp"
+#include "sim/fill.hpp"
+#include "sim/initial.hpp"
+#include "sim/motion.hpp"
+#include "sim/nozzle.hpp"
+#include "sim/shapes.hpp"
+#include "sim/shapes/measures.hpp"
+#include "sim/standing_bodies.hpp"
+
+namespace spindrift::app {
+namespace {
+
+constexpr double told_from = 0.01;  // part of a volume's liquid
+constexpr double litres = 1000.;    // in a cubic metre
+
+class Warnings {
+ public:
+  explicit Warnings(const Scene& scene) : scene_(scene), settings_(scene.simulation) {}
+
+  std::vector<Complaint> take() {
+    look_at_volumes();
+    look_at_obstacles();
+    for (std::size_t i = 0; i < settings_.fluid.emitters.size(); ++i) {
+      look_at_emitter(settings_.fluid.emitters[i], child_path("fluid.emitters", i));
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& path, const std::string& message) {
+    found_.push_back({path, message});
+  }
+
+  void look_at_volumes() {
+    if (!is_cheap_to_fill(settings_)) {
+      return;
+    }
+    const double each = std::pow(double{sim::particle_spacing(settings_)}, 3);
+    const std::vector<sim::FilledVolume> filled = sim::count_volumes(settings_);
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+      look_at_volume(filled[i], each, i);
+    }
+  }
+
+  /// @param each what one particle stands for, m³
+  void look_at_volume(const sim::FilledVolume& filled, double each, std::size_t number) {
+    const std::string path = child_path("fluid.volumes", number);
+    const sim::Shape& shape = settings_.fluid.volumes[number].shape;
+    const double asked = sim::volume_of(shape);
+    auto all = static_cast<double>(filled.placed + filled.outside);
+    for (std::size_t k = 0; k < filled.in_obstacles.size(); ++k) {
+      const auto left_out = static_cast<double>(filled.in_obstacles[k]);
+      all += left_out;
+      if (left_out * each > told_from * asked) {
+        add(path, fmt::format("{:.3g} of its {:.3g} litres are in obstacles[{}] and left out",
+                              litres * left_out * each, litres * asked, k));
+      }
+    }
+    if (static_cast<double>(filled.outside) * each > told_from * asked) {
+      add(path, fmt::format("{:.3g} of its {:.3g} litres are outside the domain and left out",
+                            litres * static_cast<double>(filled.outside) * each, litres * asked));
+    }
+    if (std::abs(all * each - asked) > told_from * asked) {
+      add(path, fmt::format("{:.3g} litres are asked for, {:.3g} fit particles {:g} m apart; a "
+                            "smaller fluid.spacing comes nearer",
+                            litres * asked, litres * all * each, settings_.fluid.spacing));
+    }
+  }
+
+  void look_at_obstacles() {
+    for (std::size_t k = 0; k < settings_.obstacles.size(); ++k) {
+      if (!ever_in_domain(settings_.obstacles[k])) {
+        add(child_path("obstacles", k), "is outside the domain all the time, where no liquid is");
+      }
+    }
+  }
+
+  bool ever_in_domain(const sim::Obstacle& obstacle) const {
+    const sim::Box domain{settings_.domain.min, settings_.domain.max};
+    const sim::Box bounds = sim::bounds_of(obstacle.shape);
+    if (!obstacle.motion) {
+      return !sim::is_apart(bounds, domain);
+    }
+    for (int frame = 0; frame <= scene_.video.frame_count(); ++frame) {
+      const sim::Pose pose =
+          sim::pose_at(obstacle, static_cast<double>(frame) / scene_.video.frames_per_second);
+      sim::Box posed{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p(pose(glm::dvec3((corner & 1) ? bounds.max.x : bounds.min.x,
+                                          (corner & 2) ? bounds.max.y : bounds.min.y,
+                                          (corner & 4) ? bounds.max.z : bounds.min.z)));
+        posed = {glm::min(posed.min, p), glm::max(posed.max, p)};
+      }
+      if (!sim::is_apart(posed, domain)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void look_at_emitter(const sim::Emitter& emitter, const std::string& path) {
+    const float spacing = sim::particle_spacing(settings_);
+    const sim::Nozzle nozzle(emitter, spacing);
+    const double end = scene_.video.duration;
+    if (nozzle.released(end) == 0) {
+      add(path, fmt::format("brings nothing: its first liquid comes out at {:.3g} s, and the end "
+                            "is at {:.3g} s",
+                            nozzle.release_time(0), end));
+      return;
+    }
+    // Particles come into the nozzle at its far end, where there must be room.
+    const sim::StandingBodies bodies(settings_);
+    const double entry = nozzle.entry_time(nozzle.layer_count() - 1);
+    std::vector<std::size_t> taken(settings_.fluid.volumes.size());
+    for (std::uint32_t point = 0; point < nozzle.layer_size(); ++point) {
+      const glm::vec3 p = nozzle.position(nozzle.layer_count() - 1, point, entry);
+      if (bodies.part_inside(p, glm::vec3(spacing)).inside > 0.5) {
+        continue;
+      }
+      for (std::size_t k = 0; k < taken.size(); ++k) {
+        taken[k] += sim::is_inside(settings_.fluid.volumes[k].shape, p);
+      }
+    }
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+      if (2 * taken[k] > nozzle.layer_size()) {
+        add(path, fmt::format("its nozzle, four spacings behind the opening, is in "
+                              "fluid.volumes[{}]: it brings nothing while liquid is there",
+                              k));
+        return;
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const sim::Settings& settings_;
+  std::vector<Complaint> found_;
+};
+
+}  // namespace
+
+std::vector<Complaint> warnings_of(const Scene& scene) {
+  std::vector<Complaint> found = mesh_warnings(scene);
+  for (Complaint& warning : Warnings(scene).take()) {
+    found.push_back(std::move(warning));
+  }
+  return found;
+}
+
+void print_warnings(const Scene& scene) {
+  for (const Complaint& warning : warnings_of(scene)) {
+    fmt::print(stderr, "spindrift: warning: {}: {}\n", warning.path, warning.message);
+  }
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,18 @@
+// What a scene asks for and can't have, though it can be simulated.
+#pragma once
+
+#include <vector>
+
+#include "app/exchange_checks.hpp"
+#include "app/scene.hpp"
+
+namespace spindrift::app {
+
+/// Meshes with cavities, liquid that has no place, in litres asked for and got, obstacles outside
+/// the domain, and emitters that bring nothing; each with the path of what is meant.
+std::vector<Complaint> warnings_of(const Scene& scene);
+
+/// Prints them to standard error.
+void print_warnings(const Scene& scene);
+
+}  // namespace spindrift::app

@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# Where the machine has too little of something, a run ends in words that name it, or is refused before it begins; and
+# what is kept of runs can be listed and removed.
+# Usage: limits.sh PROGRAM. Returns 1 if a check fails.
+set -uo pipefail
+program=$(readlink -f "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() { echo "FAILED: $*"; head -n 20 "$folder/err" "$folder/out" 2>/dev/null; exit 1; }
+
+cat >"$folder/scene.json" <<'JSON'
+{
+  "fluid": {"spacing": 0.05, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.4, 0.4, 0.4]}}]},
+  "domain": {"min": [0, 0, 0], "max": [0.8, 0.6, 0.4]},
+  "video": {"width": 96, "height": 64, "duration": 0.1}
+}
+JSON
+
+# under LIMIT CODE TEXT COMMAND WORD...: with a limit of the shell's, it ends with the code and says the text.
+under() {
+  local limit=$1 code=$2 text=$3 found
+  shift 3
+  (exec >"$folder/out" 2>"$folder/err" </dev/null && eval "$limit" && exec "$program" "$@")
+  found=$?
+  ((found == code)) || fail "under \"$limit\" $* returned $found instead of $code"
+  grep -qF -- "$text" "$folder/err" || fail "under \"$limit\" $* did not say \"$text\""
+  grep -q "EGL\|gnuplot" "$folder/err" && fail "under \"$limit\" $* blamed something else"
+  return 0
+}
+
+run=(render "$folder/scene.json" -o "$folder/run")
+under "ulimit -f 3" 3 "File too large" "${run[@]}"
+under "ulimit -f 3" 3 "File too large" simulate "$folder/scene.json" -o "$folder/run"
+under "ulimit -n 4" 3 "Too many open files" simulate "$folder/scene.json" -o "$folder/run"
+
+# Threads are counted for a user, who must not be root; what others of that user run counts as well.
+as_nobody() { setpriv --reuid=65534 --regid=65534 --clear-groups "$@"; }
+if ((EUID == 0)) && as_nobody true 2>/dev/null && as_nobody test -x "$program"; then
+  chmod 777 "$folder"
+  (ulimit -u 3 && HOME=$folder as_nobody "$program" render "$folder/scene.json" -o "$folder/few" --threads 4 >"$folder/out" 2>"$folder/err" </dev/null)
+  code=$?
+  ((code == 3)) || fail "with three processes a run returned $code instead of 3"
+  grep -q "threads are needed and .* could be started" "$folder/err" || fail "it did not say that threads are missing"
+  (ulimit -u 3 && HOME=$folder as_nobody "$program" sweep "$folder/scene.json" --set fluid.viscosity=1,2 --threads 2 \
+    -o "$folder/sweep" >"$folder/out" 2>"$folder/err" </dev/null)
+  code=$?
+  ((code == 1 || code == 3)) || fail "with three processes a sweep returned $code"
+fi
+
+# Larger than the memory that the process may have, or than the disk: refused before it begins, unless that is asked for.
+large=(simulate "$folder/scene.json" -o "$folder/large" --set fluid.spacing=0.003)
+under "ulimit -v 600000" 2 "of memory, and there are 614 MB at most" "${large[@]}"
+[[ ! -e $folder/large ]] || fail "it began"
+under true 2 "of disk space" "${large[@]}" --set video.duration=1000 --set video.frames_per_second=1000
+[[ ! -e $folder/large ]] || fail "it began"
+under true 0 "threads on $(nproc) processors wait for each other" "${run[@]}" --threads $(($(nproc) + 1))
+
+# What can't be printed is told; nobody who reads is no reason to complain.
+"$program" check "$folder/scene.json" >/dev/full 2>"$folder/err"
+code=$?
+((code == 3)) || fail "a full device returned $code"
+grep -q "No space left" "$folder/err" || fail "it did not say that the device is full"
+
+# Disk space, as said and as taken.
+"$program" check "$folder/scene.json" --json >"$folder/out" || fail "check returned $?"
+said=$(sed -n 's/^    "particles": \([0-9]*\).*/\1/p' "$folder/out")
+rm -r "$folder/run"
+"$program" "${run[@]}" --quiet 2>"$folder/err" || fail "a run returned $?"
+taken=$(cat "$folder"/run/particles/*/*.particles | wc -c)
+((said > taken * 8 / 10 && said < taken * 12 / 10)) || fail "check says $said bytes of particles, and there are $taken"
+
+# Kept simulations: listed with their scene; removed where nobody is at work.
+"$program" "${run[@]}" --set fluid.viscosity=1 --quiet 2>"$folder/err" || fail "another run returned $?"
+"$program" cache "$folder" >"$folder/out" 2>"$folder/err" || fail "cache returned $?"
+(($(grep -c "3 frames .*min old .*particles/.* $folder/scene.json" "$folder/out") == 2)) || fail "not both are listed"
+(($(grep -c " unused " "$folder/out") == 1)) || fail "not the one that is used no more is told from the other"
+"$program" cache "$folder" --remove --older-than 1h >"$folder/out" 2>"$folder/err" || fail "cache --remove returned $?"
+(($(ls "$folder/run/particles" | wc -l) == 2)) || fail "young ones were removed"
+exec 9>"$folder/run/.lock"
+flock 9
+"$program" cache "$folder" --remove >"$folder/out" 2>"$folder/err"
+(($? == 3)) && grep -q "stays: .*at work here" "$folder/err" || fail "one in use was removed"
+exec 9>&-
+"$program" cache "$folder" --remove --unused --json >"$folder/out" 2>"$folder/err" || fail "cache --remove --unused returned $?"
+(($(ls "$folder/run/particles" | wc -l) == 1)) || fail "the unused one was not removed"
+(($(grep -c '"removed": true' "$folder/out") == 1)) || fail "it did not say what it removed"
+"$program" cache "$folder/nowhere" >"$folder/out" 2>"$folder/err"
+(($? == 2)) || fail "a folder that isn't there is no error"
+"$program" cache --older-than 3 >"$folder/out" 2>"$folder/err"
+(($? == 2)) && grep -q "as in 30d" "$folder/err" || fail "an age without a unit is no error"
+
+# Two scene files of one name in one folder.
+mkdir "$folder/other" "$folder/here"
+sed 's/0.05/0.06/' "$folder/scene.json" >"$folder/other/scene.json"
+cd "$folder/here" || exit 1
+"$program" simulate ../scene.json --quiet 2>"$folder/err" || fail "a run returned $?"
+"$program" simulate ../other/scene.json --quiet 2>"$folder/err"
+code=$?
+((code == 2)) || fail "another scene of the same name returned $code instead of 2"
+grep -q "out/scene holds the results of another scene, $folder/scene.json; give another folder by -o" "$folder/err" ||
+  fail "it did not say whose the folder is"
+"$program" simulate ../other/scene.json --quiet --force 2>"$folder/err" || fail "--force returned $?"
+"$program" simulate ../other/scene.json --quiet 2>"$folder/err" || fail "the same scene again returned $?"
+exit 0

@@ -1,0 +1,51 @@
+// Liquid begins at rest where its lattice does not fit its walls by itself.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "sim/initial.hpp"
+#include "sim/simulation.hpp"
+#include "sim/solid.hpp"
+
+using namespace spindrift::sim;
+
+namespace {
+
+Settings pool(float spacing, float depth) {
+  Settings s;
+  s.fluid.spacing = spacing;
+  s.domain = {{0, 0, 0}, {1, 0.8f, 0.5f}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {1, depth, 0.5f}}}};
+  return s;
+}
+
+/// m/s, of all particles, looked at every hundredth of a second.
+double fastest_until(const Settings& settings, double end) {
+  Simulation simulation(settings);
+  double fastest = 0;
+  for (int k = 0; k * 0.01 <= end; ++k)
+    fastest = std::max(fastest, simulation.advance_to(k * 0.01).max_speed);
+  return fastest;
+}
+
+}  // namespace
+
+TEST_CASE("a pool at a spacing that does not divide it starts at rest") {
+  const float d = GENERATE(0.05f, 0.06f, 0.07f);
+  CHECK(fastest_until(pool(d, 0.4f), 1) < 0.3);
+}
+
+TEST_CASE("a pool at a finer spacing that does not divide it starts at rest", "[slow]") {
+  CHECK(fastest_until(pool(0.03f, 0.4f), 1) < 0.3);
+}
+
+TEST_CASE("a pool with a pier in it starts at rest") {
+  Settings s = pool(0.05f, 0.4f);
+  s.obstacles = {{Box{{0.4f, 0, 0.15f}, {0.6f, 0.6f, 0.35f}}}};
+  CHECK(fastest_until(s, 1) < 0.3);
+}
+
+TEST_CASE("a pool with a ball in it starts at rest", "[slow]") {
+  Settings s = pool(0.025f, 0.5f);
+  s.obstacles = {{Sphere{{0.5f, 0.25f, 0.25f}, 0.12f}}};
+  CHECK(fastest_until(s, 1) < 0.3);
+}
