@@ -100,7 +100,7 @@ void simulate_once(const BenchRun& run, Measurement& m) {
   for (int frame = 1; frame <= video.frame_count(); ++frame) {
     const Clock::time_point before = Clock::now();
     const auto statistics =
-        simulation.advance_to(double(frame) / video.frames_per_second, &out_of_time);
+        simulation.advance_to(video.frames_per_second.time_of(frame), &out_of_time);
     if (out_of_time)
       throw std::runtime_error(fmt::format("not done within {:g} s", run.limit_seconds));
     const std::chrono::duration<double> spent = Clock::now() - before;
@@ -112,7 +112,7 @@ void simulate_once(const BenchRun& run, Measurement& m) {
       continue;
     add_frame(statistics, given_energy, m);
     m.wall_seconds += spent.count();
-    m.simulated_seconds += 1. / video.frames_per_second;
+    m.simulated_seconds += video.frames_per_second.time_of(1);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/disk_estimate.hpp"
 #include "app/estimate.hpp"
+#include "app/frame_rate_text.hpp"
 #include "app/machine_limits.hpp"
 #include "app/scene_warnings.hpp"
 
@@ -53,7 +54,7 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              cost.boundary_particles);
   fmt::print("pictures    {} of {}x{} pixels, {:g} s at {} per second\n", scene.video.frame_count(),
              scene.video.width, scene.video.height, scene.video.duration,
-             scene.video.frames_per_second);
+             rate_text(scene.video.frames_per_second));
   fmt::print("memory      about {:.0f} MB\n", cost.bytes / 1e6);
   fmt::print("disk        about {}: {} for kept particles, {} for pictures, {} for the video\n",
              bytes_text(disk.sum()), bytes_text(disk.particles), bytes_text(disk.pictures),

@@ -2,91 +2,52 @@
 
 #include <fmt/core.h>
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
 
+#include "app/bench_options.hpp"
 #include "app/cache_options.hpp"
 #include "app/commands.hpp"
 #include "app/compare_options.hpp"
+#include "app/error_report.hpp"
 #include "app/machine_limits.hpp"
 #include "app/nearest_name.hpp"
-#include "app/scene_fields.hpp"
+#include "app/scene_reader.hpp"
 #include "app/scene_warnings.hpp"
+#include "app/shown_text.hpp"
 #include "app/sweep_options.hpp"
+#include "app/thread_count.hpp"
 
 namespace spindrift::app {
 namespace {
 
+constexpr const char* version_text = "spindrift " SPINDRIFT_VERSION;
+
 /// All that can be typed; each command uses its part.
-struct Typed {
+struct Typed : TypedCommon {
   std::string scene;
   std::string output;
   std::string frames;
   std::string from_particles;
   std::vector<std::string> exports;
-  Overrides overrides;
-  std::string backend;
-  int threads = 0;
   bool no_cache = false;
   bool force = false;
   std::string progress = "text";
-  bool quiet = false;
-  bool json = false;
-
-  // bench; an empty list: the default one
-  std::vector<std::string> scenes;
-  std::vector<std::string> solvers;
-  std::vector<double> spacing_factors, tolerance_factors, time_step_factors;
-  std::vector<int> particle_counts;
-  double limit_seconds = BenchPlan{}.limit_seconds;
-  bool quick = false;
-  bool plane = false, scaling = false, threads_scaling = false;
-
   bool of_sweeps = false;  // schema
+  std::string command;     // help
 };
-
-/// What --set says, and options that stand for it.
-Overrides all_overrides(const Typed& typed) {
-  Overrides all = typed.overrides;
-  if (!typed.backend.empty())
-    all.push_back("solver.backend=" + typed.backend);
-  return all;
-}
-
-/// Misuse of the command line; the message is for people.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-void add_common_options(CLI::App& command, Typed& typed) {
-  const std::vector<std::string> backends(value_names<sim::Backend>.begin(),
-                                          value_names<sim::Backend>.end());
-  command.add_option("--set", typed.overrides, "Set a scene's value, as in fluid.viscosity=0.05")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all();
-  command.add_option("--threads", typed.threads, "Threads; all of the machine's if left out")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4096));
-  command
-      .add_option("--backend", typed.backend,
-                  fmt::format("What computes, as solver.backend: {}", fmt::join(backends, ", ")))
-      ->type_name("NAME")
-      ->check(CLI::IsMember(backends));
-  command.add_flag("--quiet", typed.quiet, "Print nothing but errors");
-  command.add_flag("--json", typed.json, "Print for machines");
-}
 
 void add_scene_options(CLI::App& command, Typed& typed) {
-  command.add_option("scene", typed.scene, "Scene file")->required()->type_name("SCENE");
+  command.add_option("scene", typed.scene, "Scene file; - reads the standard input")
+      ->required()
+      ->type_name("SCENE");
   add_common_options(command, typed);
 }
 
@@ -109,47 +70,6 @@ void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::str
                   "How far the run is, on stderr: text, or json for a line of JSON for each frame")
       ->type_name("FORM")
       ->check(CLI::IsMember({"text", "json"}));
-}
-
-/// An option that takes a list, as in --spacing 2,1.25.
-template <class T>
-CLI::Option* add_list(CLI::App& command, const char* name, std::vector<T>& list,
-                      const std::string& about) {
-  return command.add_option(name, list, about)->delimiter(',')->expected(1)->take_all();
-}
-
-void add_bench_options(CLI::App& command, Typed& typed) {
-  command.add_option("scenes", typed.scenes, "Scene files of the plane; a dam break if left out")
-      ->type_name("SCENE");
-  add_common_options(command, typed);
-  command.add_option("-o,--out", typed.output, "Folder for the results; out/bench if left out")
-      ->type_name("DIR");
-  command.add_flag("--quick", typed.quick, "Fewer and smaller runs, for a first look");
-  command.add_flag("--plane", typed.plane, "Speed against error; this alone if nothing is chosen");
-  command.add_flag("--scaling", typed.scaling, "Cost per particle of the dam break as it grows");
-  command.add_flag("--threads-scaling", typed.threads_scaling, "The same for 1, 2, 4 ... threads");
-  const std::vector<std::string> solvers(value_names<sim::SolverType>.begin(),
-                                         value_names<sim::SolverType>.end());
-  add_list(command, "--solver", typed.solvers, "Solvers of the plane")
-      ->type_name("NAME,...")
-      ->check(CLI::IsMember(solvers));
-  const auto add_factors = [&](const char* name, std::vector<double>& factors, const char* of) {
-    add_list(command, name, factors, fmt::format("Factors of the scene's {}", of))
-        ->type_name("FACTOR,...")
-        ->check(CLI::Range(1e-3, 1e3));
-  };
-  add_factors("--spacing", typed.spacing_factors, "fluid.spacing");
-  add_factors("--tolerance", typed.tolerance_factors,
-              "solver.mean_compression and solver.max_compression (sph: of its compressibility)");
-  add_factors("--time-step", typed.time_step_factors, "solver.cfl and solver.max_time_step");
-  add_list(command, "--particles", typed.particle_counts,
-           "Particles of the scalings, about; threads share the last")
-      ->type_name("N,...")
-      ->check(CLI::Range(1, 100'000'000));
-  command.add_option("--limit", typed.limit_seconds, "Seconds after which a run is given up")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
 }
 
 int parse_frame_number(const std::string& text, int if_empty) {
@@ -196,8 +116,15 @@ std::string command_as_typed(int argc, const char* const* argv) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
+Scene typed_scene(const Typed& typed) {
+  if (typed.scene != "-")
+    return read_scene(typed.scene, all_overrides(typed));
+  const std::filesystem::path source = "stdin";
+  return parse_scene(scene_text(std::cin, source.string()), source, all_overrides(typed));
+}
+
 int run_typed_render(const Typed& typed, bool simulate_only, const std::string& hint) {
-  const Scene scene = read_scene(typed.scene, all_overrides(typed));
+  const Scene scene = typed_scene(typed);
   if (const std::string refused = sim::why_refused(scene.simulation); !refused.empty())
     throw UsageError(refused);
   const auto exports = [&](std::string_view what) {
@@ -234,48 +161,32 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   return run_render(scene, options);
 }
 
-int run_typed_bench(const Typed& typed) {
-  const bool chosen = typed.plane || typed.scaling || typed.threads_scaling;
-  if (chosen && !typed.plane && !typed.scenes.empty())
-    throw UsageError(
-        fmt::format("{}: --scaling and --threads-scaling run a dam break of their own; leave the "
-                    "scene out, or add --plane",
-                    typed.scenes.front()));
-  BenchOptions options;
-  BenchPlan& plan = options.plan;
-  plan = default_plan(typed.quick);
-  plan.scenes.assign(typed.scenes.begin(), typed.scenes.end());
-  plan.overrides = all_overrides(typed);
-  plan.plane = typed.plane || !chosen;
-  plan.particle_scaling = typed.scaling;
-  plan.thread_scaling = typed.threads_scaling;
-  plan.threads = typed.threads;
-  plan.limit_seconds = typed.limit_seconds;
-  const auto replace = [](auto& list, const auto& by) {
-    if (!by.empty())
-      list = by;
-  };
-  replace(plan.spacing_factors, typed.spacing_factors);
-  replace(plan.tolerance_factors, typed.tolerance_factors);
-  replace(plan.time_step_factors, typed.time_step_factors);
-  replace(plan.particle_counts, typed.particle_counts);
-  if (!typed.particle_counts.empty()) {
-    plan.thread_scaling_particles = typed.particle_counts.back();
-  }
-  std::vector<sim::SolverType> solvers;
-  for (const std::string& name : typed.solvers) {
-    const auto& names = value_names<sim::SolverType>;
-    solvers.push_back(
-        static_cast<sim::SolverType>(std::find(names.begin(), names.end(), name) - names.begin()));
-  }
-  replace(plan.solvers, solvers);
-  options.output = typed.output.empty() ? "out/bench" : typed.output;
-  options.quiet = typed.quiet;
-  options.json = typed.json;
-  return run_bench(options);
+/// Commands that can be typed, without those that other commands run.
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
+[[noreturn]] void throw_unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands_of(app))
+    names.push_back(command->get_name());
+  throw UsageError(
+      fmt::format("unknown command \"{}\"; {}", shown(word),
+                  suggestion(word, std::vector<std::string_view>(names.begin(), names.end()))));
+}
+
+int run_help(const CLI::App& app, const std::string& command) {
+  const auto commands = commands_of(app);
+  const auto found = std::find_if(commands.begin(), commands.end(),
+                                  [&](const CLI::App* one) { return one->get_name() == command; });
+  if (!command.empty() && found == commands.end())
+    throw_unknown_command(app, command);
+  fmt::print("{}", command.empty() ? app.help() : (*found)->help(app.get_name()));
+  return done;
 }
 
 /// The parser's complaint with the nearest valid name, where a name was mistyped.
+/// @throws UsageError for an unknown command
 std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
   const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error);
   const auto unknown = app.remaining(true);
@@ -283,34 +194,20 @@ std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
     return error.what();
   }
   const std::string& word = unknown.front();
-  std::vector<std::string_view> names;
-  std::vector<std::string> storage;
   const auto chosen = app.get_subcommands();
-  if (!word.starts_with("-") && chosen.empty()) {
-    for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-      if (!command->get_group().empty()) {
-        storage.push_back(command->get_name());
-      }
-    }
-    names.assign(storage.begin(), storage.end());
-    return fmt::format("unknown command \"{}\"; {}", word, suggestion(word, names));
-  }
   if (!word.starts_with("-")) {
-    return fmt::format("\"{}\" is one word too many", word);
+    if (chosen.empty())
+      throw_unknown_command(app, word);
+    return fmt::format("\"{}\" is one word too many", shown(word));
   }
+  std::vector<std::string> names;
   for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options()) {
     for (const std::string& name : option->get_lnames()) {
-      storage.push_back("--" + name);
+      names.push_back("--" + name);
     }
   }
-  names.assign(storage.begin(), storage.end());
-  return fmt::format("unknown option {}; {}", word, suggestion(word, names));
-}
-
-int report(ExitCode code, const std::string& message) {
-  std::fflush(stdout);
-  fmt::print(stderr, "spindrift: {}\n", message);
-  return code;
+  return fmt::format("unknown option {}; {}", shown(word),
+                     suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 int run_parsed(CLI::App& app, int argc, const char* const* argv) {
@@ -334,7 +231,8 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   add_scene_options(*check, typed);
 
   CLI::App* bench = app.add_subcommand("bench", "Measure speed, memory and errors");
-  add_bench_options(*bench, typed);
+  TypedBench typed_bench;
+  add_bench_options(*bench, typed_bench);
   CLI::App* bench_run = app.add_subcommand("bench-run", "One run of bench, told on stdin");
   bench_run->group("");  // for bench itself
 
@@ -360,23 +258,32 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   CLI::App* info = app.add_subcommand("info", "Print versions, processor, renderer and encoder");
   info->add_flag("--json", typed.json, "Print for machines");
 
-  CLI::App* schema = app.add_subcommand("schema", "Print the JSON schema of scene files");
-  schema->group("");  // for the makers of scenes/scene.schema.json
+  CLI::App* schema =
+      app.add_subcommand("schema", "Print the JSON schema of scene files, or of sweeps");
   schema->add_flag("--sweep", typed.of_sweeps, "That of sweep files");
 
+  CLI::App* help = app.add_subcommand("help", "Print this help, or that of a command");
+  help->add_option("command", typed.command, "Command")->type_name("COMMAND");
+  CLI::App* version = app.add_subcommand("version", "Print the program's version");
+
   app.parse(argc, argv);
-  if (typed.threads == 0) {
-    typed.threads = omp_get_max_threads();
-  }
+  const bool quiet = typed.quiet || typed_bench.quiet || typed_sweep.quiet || golden_options.quiet;
+  const auto set_threads = [&](const CLI::App* command, int& threads) {
+    if (command->parsed())
+      threads = thread_count(threads, quiet);
+  };
+  for (const CLI::App* command : {render, simulate, check, golden})
+    set_threads(command, typed.threads);
+  set_threads(bench, typed_bench.threads);
+  set_threads(sweep, typed_sweep.threads);
   if (render->parsed() || simulate->parsed()) {
     return run_typed_render(typed, simulate->parsed(), command_as_typed(argc, argv));
   }
   if (check->parsed()) {
-    return run_check(read_scene(typed.scene, all_overrides(typed)), typed.threads, typed.quiet,
-                     typed.json);
+    return run_check(typed_scene(typed), typed.threads, typed.quiet, typed.json);
   }
   if (bench->parsed()) {
-    return run_typed_bench(typed);
+    return run_typed_bench(typed_bench);
   }
   if (bench_run->parsed()) {
     return run_bench_child();
@@ -402,36 +309,51 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   if (schema->parsed()) {
     return run_schema(typed.of_sweeps);
   }
+  if (help->parsed()) {
+    return run_help(app, typed.command);
+  }
+  if (version->parsed()) {
+    fmt::print("{}\n", version_text);
+    return done;
+  }
   throw UsageError("a command is missing");
+}
+
+/// Also where what was typed can't be parsed.
+bool wants_json(int argc, const char* const* argv) {
+  return std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;
 }
 
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
   CLI::App app{"Spindrift turns a liquid scene file into a video, with no display.", "spindrift"};
-  app.set_version_flag("--version", "spindrift " SPINDRIFT_VERSION);
+  app.set_version_flag("-V,--version", version_text);
   app.require_subcommand(0, 1);
   app.footer("Scene files: scenes/*.json. Example: spindrift render scenes/dam_break.json");
+  const bool json = wants_json(argc, argv);
   try {
-    return run_parsed(app, argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help and --version
-      return app.exit(error);
+    try {
+      return run_parsed(app, argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) {  // --help and --version
+        return app.exit(error);
+      }
+      throw UsageError(usage_message(app, error));
     }
-    return report(bad_usage, usage_message(app, error) + " (see spindrift --help)");
   } catch (const UsageError& error) {
-    return report(bad_usage, std::string(error.what()) + " (see spindrift --help)");
+    return tell_error(bad_usage, std::string(error.what()) + " (see spindrift --help)", json);
   } catch (const SceneError& error) {
-    return report(bad_usage, error.what());
+    return tell_error(error, json);
   } catch (const InputError& error) {
-    return report(bad_usage, error.what());
+    return tell_error(bad_usage, error.what(), json);
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::broken_pipe) {
       return run_failed;  // who was to read it has heard enough
     }
-    return report(run_failed, error.what());
+    return tell_error(run_failed, error.what(), json);
   } catch (const std::exception& error) {
-    return report(run_failed, reason_of(error));
+    return tell_error(run_failed, reason_of(error), json);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "app/commands.hpp"
+#include "app/error_report.hpp"
 #include "app/machine_limits.hpp"
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
@@ -49,7 +50,7 @@ int run_render(const Scene& scene, const RenderOptions& options, const FolderLoc
   try {
     run_pipeline(scene, options, record);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "spindrift: {}\n", reason_of(error));
+    tell_error(run_failed, reason_of(error), options.json);
     print_rest(options, record, "stopped");
     try {
       folder.write_probes(record);
@@ -65,6 +66,8 @@ int run_render(const Scene& scene, const RenderOptions& options, const FolderLoc
   tell_about_probes(scene, options, record);
   if (record.interrupted) {
     print_rest(options, record, "interrupted");
+    if (options.json)
+      print_error_json(run_failed, "interrupted");
     return run_failed;
   }
   if (options.json)

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/commands.hpp"
+#include "app/error_report.hpp"
 #include "app/folder_lock.hpp"
 #include "app/interrupt.hpp"
 #include "app/machine_limits.hpp"
@@ -134,6 +135,8 @@ int run_sweep(const SweepRequest& request, const SweepOptions& options) {
     fmt::print(stderr, "spindrift: interrupted after {} of {} runs\n", complete, results.size());
     fmt::print(stderr, "The same command goes on from where it stopped: {}\n",
                options.command_line_hint);
+    if (options.json)
+      print_error_json(run_failed, "interrupted");
     return run_failed;
   }
   if (options.json) {

@@ -125,7 +125,7 @@ Estimate estimate(const Scene& scene, int threads) {
   const double frames = scene.video.frame_count();
   double step = std::min({static_cast<double>(settings.solver.max_time_step),
                           settings.solver.cfl * 2. * spacing / likely_speed(settings),
-                          1. / scene.video.frames_per_second});
+                          scene.video.frames_per_second.time_of(1)});
   if (!scene.probes.empty() && scene.probes_rate > 0)
     step = std::min(step, 1. / scene.probes_rate);
   const double steps = std::max(scene.video.duration / step, frames);

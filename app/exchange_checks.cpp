@@ -88,7 +88,7 @@ std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitt
   const glm::vec3 step = s.fluid.spacing * sim::direction_of(emitter.opening);
   for (std::size_t k = 0; k < s.obstacles.size(); ++k)
     for (int frame = 0; s.obstacles[k].motion && frame <= scene.video.frame_count(); ++frame) {
-      const double time = static_cast<double>(frame) / scene.video.frames_per_second;
+      const double time = scene.video.frames_per_second.time_of(frame);
       if (!(nozzle.closed_part(time) < 1))
         continue;
       const sim::Pose pose = sim::pose_at(s.obstacles[k], time);

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "app/scene_document.hpp"
 #include "app/scene_reader.hpp"
+#include "app/shown_text.hpp"
 #include "sim/backend_choice.hpp"
 
 namespace spindrift::app {
@@ -16,7 +19,7 @@ bool names_a_folder(const std::string& name) {
   return !name.empty() && name.find_first_not_of(accepted) == std::string::npos;
 }
 
-/// Completes and checks the list's entries in their order.
+/// Completes and checks the list's entries in their order, and gathers what is wrong with them.
 class Completion {
  public:
   Completion(const SceneDocument& document, const std::filesystem::path& folder, GoldenList& list)
@@ -24,10 +27,13 @@ class Completion {
 
   void complete(std::size_t k, const Overrides& overrides) {
     path_ = child_path("goldens", k);
+    golden_ = &list_.goldens[k];
     name(k);
-    read(overrides);
-    check_frames();
+    if (read(overrides))
+      check_frames();
   }
+
+  std::vector<Problem> problems() && { return std::move(problems_); }
 
  private:
   /// A value that the list lays over a scene, as after `--set`, and its own place in the list.
@@ -35,29 +41,23 @@ class Completion {
     std::string text, path;
   };
 
-  [[noreturn]] void fail_at(const std::string& path, std::string_view message) const {
-    throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
-  }
-
-  [[noreturn]] void fail(std::string_view key, std::string_view message) const {
-    fail_at(child_path(path_, key), message);
+  void complain(std::string_view key, std::string message) {
+    problems_.push_back(document_.problem(child_path(path_, key), std::move(message)));
   }
 
   void name(std::size_t k) {
-    Golden& golden = list_.goldens[k];
-    golden_ = &golden;
-    if (golden.name.empty())
-      golden.name = std::filesystem::path(golden.scene).stem().string();
-    if (!names_a_folder(golden.name))
-      fail("name", fmt::format("\"{}\" can't name a folder; accepted: letters, digits, _ and -",
-                               golden.name));
-    for (std::size_t other = 0; other < k; ++other)
-      if (list_.goldens[other].name == golden.name)
-        fail("name", fmt::format("\"{}\" is the name of {} already", golden.name,
-                                 child_path("goldens", other)));
+    if (golden_->name.empty())
+      golden_->name = std::filesystem::path(golden_->scene).stem().string();
+    if (!names_a_folder(golden_->name))
+      complain("name", fmt::format("\"{}\" can't name a folder; accepted: letters, digits, _ and -",
+                                   shown(golden_->name)));
+    if (const auto [first, is_new] = names_.emplace(golden_->name, k); !is_new)
+      complain("name", fmt::format("\"{}\" is the name of {} already", shown(golden_->name),
+                                   child_path("goldens", first->second)));
   }
 
-  void read(const Overrides& overrides) {
+  /// Whether the scene can be used.
+  bool read(const Overrides& overrides) {
     const auto size = [&](const char* key, std::optional<int> own, int all) {
       return Assignment{fmt::format("video.{}={}", key, own.value_or(all)),
                         own ? child_path(path_, key) : key};
@@ -74,28 +74,37 @@ class Completion {
     try {
       golden_->resolved = read_scene(folder_ / golden_->scene, all);
     } catch (const SceneError& error) {
-      const std::string_view message = error.what();
-      for (const auto& [text, path] : own)
-        if (const auto begin = fmt::format("--set {}: ", text); message.starts_with(begin))
-          fail_at(path, message.substr(begin.size()));
-      fail("scene", message);
+      for (const Problem& problem : error.problems())
+        problems_.push_back(in_the_list(problem, own));
+      return false;
     }
-    if (const std::string refused = sim::why_refused(golden_->resolved.simulation);
-        !refused.empty())
-      fail("scene", refused);
+    const std::string refused = sim::why_refused(golden_->resolved.simulation);
+    if (!refused.empty())
+      complain("scene", refused);
+    return refused.empty();
   }
 
-  void check_frames() const {
+  /// What is wrong with a scene, told where the list brings that about.
+  Problem in_the_list(Problem problem, const std::vector<Assignment>& own) const {
+    for (const auto& [text, path] : own)
+      if (problem.place.source == "--set " + text) {
+        problem.place = {};
+        return document_.problem(path, problem.text());
+      }
+    return document_.problem(child_path(path_, "scene"), problem.text());
+  }
+
+  void check_frames() {
     if (golden_->frames.empty())
-      fail("frames", "empty; give the number of a frame at least");
+      return complain("frames", "empty; give the number of a frame at least");
     const int last = golden_->resolved.video.frame_count() - 1;
-    for (const int frame : golden_->frames)
-      if (frame > last)
-        fail("frames", fmt::format("{} is beyond the scene's last frame, {}", frame, last));
     std::sort(golden_->frames.begin(), golden_->frames.end());
+    if (golden_->frames.back() > last)
+      complain("frames", fmt::format("{} is beyond the scene's last frame, {}",
+                                     golden_->frames.back(), last));
     const auto twice = std::adjacent_find(golden_->frames.begin(), golden_->frames.end());
     if (twice != golden_->frames.end())
-      fail("frames", fmt::format("{} is there twice", *twice));
+      complain("frames", fmt::format("{} is there twice", *twice));
   }
 
   const SceneDocument& document_;
@@ -103,6 +112,8 @@ class Completion {
   GoldenList& list_;
   Golden* golden_ = nullptr;
   std::string path_;
+  std::map<std::string, std::size_t> names_;
+  std::vector<Problem> problems_;
 };
 
 }  // namespace
@@ -112,12 +123,12 @@ GoldenList read_golden_list(const std::filesystem::path& file, const Overrides& 
   GoldenList list;
   read_section(document, list);
   if (list.goldens.empty())
-    throw SceneError(
-        fmt::format("{}: goldens: empty; give a scene at least", document.place_of("goldens")));
+    throw SceneError(document.problem("goldens", "empty; give a scene at least"));
   const std::filesystem::path folder = file.parent_path();
   Completion completion(document, folder, list);
   for (std::size_t k = 0; k < list.goldens.size(); ++k)
     completion.complete(k, overrides);
+  throw_if_any(std::move(completion).problems());
   return list;
 }
 

@@ -178,7 +178,7 @@ bool ParticleSource::add_kept_readings(int number) {
 }
 
 double ParticleSource::time_of(int number) const {
-  return static_cast<double>(number) / scene_.video.frames_per_second;
+  return scene_.video.frames_per_second.time_of(number);
 }
 
 void ParticleSource::advance_to(double time, sim::FrameStatistics& statistics) {

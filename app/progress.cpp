@@ -34,7 +34,7 @@ Progress::Progress(const Scene& scene, const RenderOptions& options, int frames,
                    std::size_t particles)
     : scene_(scene.name),
       frames_(frames),
-      frames_per_second_(scene.video.frames_per_second),
+      frames_per_second_(scene.video.frames_per_second.per_second()),
       particles_(particles),
       form_(options.progress == ProgressKind::json ? Form::json
             : options.quiet                        ? Form::none

@@ -1,15 +1,15 @@
 // A scene: the settings of every stage, read from a scene file and checked as a whole.
 #pragma once
 
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/camera.hpp"
+#include "app/scene_error.hpp"
+#include "render/frame_rate.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/surface/surface.hpp"
 #include "sim/probes.hpp"
@@ -19,13 +19,13 @@ namespace spindrift::app {
 
 /// The pictures' size and number.
 struct VideoConfig {
-  int width = 1280;            ///< pixels, even
-  int height = 720;            ///< pixels, even
-  int frames_per_second = 30;  ///< 1/s; also how often the particles are kept
-  double duration = 4.0;       ///< s
-  int quality = 18;            ///< H.264 constant rate factor, 0 ... 51, less is better
+  int width = 1280;             ///< pixels, even
+  int height = 720;             ///< pixels, even
+  FrameRate frames_per_second;  ///< also how often the particles are kept
+  double duration = 4.0;        ///< s
+  int quality = 18;             ///< H.264 constant rate factor, 0 ... 51, less is better
 
-  int frame_count() const { return static_cast<int>(std::lround(duration * frames_per_second)); }
+  int frame_count() const { return frames_per_second.count_in(duration); }
 };
 
 struct Scene {
@@ -38,13 +38,6 @@ struct Scene {
   gl::LightSettings light;
   gl::LookSettings look;
   VideoConfig video;
-};
-
-/// A scene that can't be used. The message is one sentence for people: the place, what was found
-/// and what is accepted.
-class SceneError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 /// One `--set KEY=VALUE` from the command line, as typed.

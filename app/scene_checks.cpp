@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <variant>
 
 #include "app/estimate.hpp"
 #include "app/exchange_checks.hpp"
 #include "app/scene_fields.hpp"
+#include "app/shown_text.hpp"
 #include "sim/initial.hpp"
 #include "sim/shapes.hpp"
 #include "sim/shapes/measures.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr double most_particles = 2e8;
 constexpr float most_spacings_from_origin = 1e5f;  // single precision places them no better
+constexpr std::size_t longest_scene_name = 200;    // bytes; what is named after it has 255
 
 std::string text_of(const glm::vec3& v) {
   return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
@@ -27,50 +30,66 @@ class Checker {
  public:
   Checker(const Scene& scene, const SceneDocument& document) : scene_(scene), document_(document) {}
 
-  void check() const {
-    check_name();
+  /// All that is wrong.
+  std::vector<Problem> check() {
     check_domain();
     check_obstacles();
     check_volumes();
-    check_emitters_and_sinks();
+    check_sinks();
+    if (problems_.empty()) {  // else there may be no liquid to look at, or far too much
+      check_liquid();
+      check_emitters();
+    }
+    check_name();
     check_forces_and_solver();
     check_picture();
     check_probes();
     check_camera();
+    return std::move(problems_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
+  void complain(const std::string& path, const std::string& message) {
+    problems_.push_back(document_.problem(path, message));
   }
 
-  void check_name() const {
+  void check_name() {
     const std::string& name = scene_.name;
-    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
-      fail("name", fmt::format("\"{}\" can't name a folder", name));
-    }
+    const bool given = document_.root().contains("name");
+    const auto refuse = [&](std::string_view why) {
+      complain("name", fmt::format("\"{}\"{} can't name a folder{}{}", shown(name),
+                                   given ? "" : ", the file's name,", why,
+                                   given ? "" : "; give a \"name\""));
+    };
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+      refuse("");
+    else if (holds_control_characters(name))
+      refuse(": it holds control characters");
+    else if (name.size() > longest_scene_name)
+      refuse(
+          fmt::format(": it has {} bytes; accepted: at most {}", name.size(), longest_scene_name));
   }
 
-  void check_shape(const sim::Box& box, const std::string& path) const {
+  void check_shape(const sim::Box& box, const std::string& path) {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(box.min[axis] < box.max[axis])) {
-        fail(path, fmt::format("min {} is not below max {} in {}", text_of(box.min),
-                               text_of(box.max), "xyz"[axis]));
+        return complain(path, fmt::format("min {} is not below max {} in {}", text_of(box.min),
+                                          text_of(box.max), "xyz"[axis]));
       }
     }
   }
 
-  void check_shape(const sim::Sphere&, const std::string&) const {}
-  void check_shape(const sim::TriangleMesh&, const std::string&) const {}  // done when it is read
+  void check_shape(const sim::Sphere&, const std::string&) {}
+  void check_shape(const sim::TriangleMesh&, const std::string&) {}  // done when it is read
 
   template <class Long>  // a cylinder or a capsule
-  void check_shape(const Long& shape, const std::string& path) const {
+  void check_shape(const Long& shape, const std::string& path) {
     if (shape.from == shape.to) {
-      fail(path, "from and to are the same point");
+      complain(path, "from and to are the same point");
     }
   }
 
-  void check_shape(const sim::Shape& shape, const std::string& path) const {
+  void check_shape(const sim::Shape& shape, const std::string& path) {
     std::visit(
         [&](const auto& one) {
           check_shape(one, child_path(path, alternative_names<sim::Shape>[shape.index()]));
@@ -78,28 +97,33 @@ class Checker {
         shape);
   }
 
-  void check_domain() const {
+  void check_domain() {
     const auto& domain = scene_.simulation.domain;
     const float spacing = scene_.simulation.fluid.spacing;
     check_shape(sim::Box{domain.min, domain.max}, "domain");
+    if (!problems_.empty()) {
+      return;
+    }
     for (int axis = 0; axis < 3; ++axis) {
       const float width = domain.max[axis] - domain.min[axis];
       if (width < 4.f * spacing * 0.999f) {
-        fail("domain", fmt::format("{:g} m wide in {}; at least 4 particle spacings ({:g} m) are "
-                                   "needed",
-                                   width, "xyz"[axis], 4.f * spacing));
+        return complain("domain",
+                        fmt::format("{:g} m wide in {}; at least 4 particle spacings ({:g} m) are "
+                                    "needed",
+                                    width, "xyz"[axis], 4.f * spacing));
       }
       const float reach = std::max(std::abs(domain.min[axis]), std::abs(domain.max[axis]));
       if (reach > most_spacings_from_origin * spacing) {
-        fail("domain", fmt::format("reaches {:g} m from the origin in {}; at most {:.0f} particle "
-                                   "spacings ({:g} m) are accepted",
-                                   reach, "xyz"[axis], most_spacings_from_origin,
-                                   most_spacings_from_origin * spacing));
+        return complain("domain",
+                        fmt::format("reaches {:g} m from the origin in {}; at most {:.0f} particle "
+                                    "spacings ({:g} m) are accepted",
+                                    reach, "xyz"[axis], most_spacings_from_origin,
+                                    most_spacings_from_origin * spacing));
       }
     }
   }
 
-  void check_obstacles() const {
+  void check_obstacles() {
     const auto& obstacles = scene_.simulation.obstacles;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
       const std::string path = child_path("obstacles", i);
@@ -110,29 +134,29 @@ class Checker {
     }
   }
 
-  void check_motion(const sim::Motion& motion, const std::string& path) const {
+  void check_motion(const sim::Motion& motion, const std::string& path) {
     if (motion.keyframes.empty() && motion.oscillations.empty() && !motion.spin) {
-      fail(path, "says nothing of how the obstacle moves; give keyframes, oscillations or spin");
+      complain(path,
+               "says nothing of how the obstacle moves; give keyframes, oscillations or spin");
     }
     check_times(motion.keyframes, child_path(path, "keyframes"));
     for (std::size_t i = 0; i < motion.oscillations.size(); ++i) {
       const sim::Oscillation& one = motion.oscillations[i];
       if (one.translate == glm::vec3(0.f) && one.rotate == glm::vec3(0.f)) {
-        fail(child_path(child_path(path, "oscillations"), i),
-             "has no amplitude; give translate (m) or rotate (degrees)");
+        complain(child_path(child_path(path, "oscillations"), i),
+                 "has no amplitude; give translate (m) or rotate (degrees)");
       }
     }
     if (motion.spin && !(glm::length(motion.spin->axis) > 1e-6f)) {
-      fail(child_path(child_path(path, "spin"), "axis"), "has no length");
+      complain(child_path(child_path(path, "spin"), "axis"), "has no length");
     }
   }
 
-  /// Every volume holds particles, and all their centres lie in the domain.
-  void check_volumes() const {
+  void check_volumes() {
     const auto& fluid = scene_.simulation.fluid;
     if (fluid.volumes.empty() && fluid.emitters.empty()) {
-      fail("fluid.volumes",
-           "empty; at least one volume of liquid or one of fluid.emitters is needed");
+      complain("fluid.volumes",
+               "empty; at least one volume of liquid or one of fluid.emitters is needed");
     }
     const double cell = std::pow(static_cast<double>(fluid.spacing), 3);
     double count = 0.;
@@ -151,35 +175,37 @@ class Checker {
       count += more;
     }
     if (count > most_particles) {
-      fail("fluid.spacing", fmt::format("{:g} m makes about {:.2g} particles; at most {:.0e} are "
-                                        "accepted",
-                                        fluid.spacing, count, most_particles));
+      complain("fluid.spacing",
+               fmt::format("{:g} m makes about {:.2g} particles; at most {:.0e} are "
+                           "accepted",
+                           fluid.spacing, count, most_particles));
     }
     const double on_walls = count_boundary_particles(scene_.simulation);
     if (on_walls > most_particles) {
-      fail("fluid.spacing",
-           fmt::format("{:g} m makes about {:.2g} particles on walls and obstacles; at most {:.0e} "
-                       "are accepted",
-                       fluid.spacing, on_walls, most_particles));
+      complain(
+          "fluid.spacing",
+          fmt::format("{:g} m makes about {:.2g} particles on walls and obstacles; at most {:.0e} "
+                      "are accepted",
+                      fluid.spacing, on_walls, most_particles));
     }
-    check_liquid();
   }
 
   /// Liquid may reach half a spacing beyond the domain: no particle would be there.
-  void check_place(const sim::Shape& shape, const std::string& path) const {
+  void check_place(const sim::Shape& shape, const std::string& path) {
     const auto& domain = scene_.simulation.domain;
     const sim::Box bounds = sim::bounds_of(shape);
     const float tolerance = 0.501f * scene_.simulation.fluid.spacing;
     if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
         glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
-      fail(path, fmt::format("{:.3g} litres from {} to {}, which is outside the domain {} ... {}",
-                             1000. * sim::volume_of(shape), text_of(bounds.min),
-                             text_of(bounds.max), text_of(domain.min), text_of(domain.max)));
+      complain(path,
+               fmt::format("{:.3g} litres from {} to {}, which is outside the domain {} ... {}",
+                           1000. * sim::volume_of(shape), text_of(bounds.min), text_of(bounds.max),
+                           text_of(domain.min), text_of(domain.max)));
     }
   }
 
   /// Something is left of every volume.
-  void check_liquid() const {
+  void check_liquid() {
     const sim::Settings& settings = scene_.simulation;
     if (!is_cheap_to_fill(settings)) {
       return;
@@ -193,12 +219,15 @@ class Checker {
       const auto& inside = filled[i].in_obstacles;
       const auto most = std::max_element(inside.begin(), inside.end());
       if (most != inside.end() && *most > 0) {
-        fail(path, fmt::format("all of its {:.3g} litres are inside obstacles[{}]{}; move either, "
-                               "or leave one out",
-                               1000. * sim::volume_of(settings.fluid.volumes[i].shape),
-                               most - inside.begin(), hint_of(settings, most - inside.begin())));
+        complain(path,
+                 fmt::format("all of its {:.3g} litres are inside obstacles[{}]{}; move either, "
+                             "or leave one out",
+                             1000. * sim::volume_of(settings.fluid.volumes[i].shape),
+                             most - inside.begin(), hint_of(settings, most - inside.begin())));
+      } else {
+        complain(path,
+                 fmt::format("holds no particle at a spacing of {:g} m", settings.fluid.spacing));
       }
-      fail(path, fmt::format("holds no particle at a spacing of {:g} m", settings.fluid.spacing));
     }
   }
 
@@ -211,97 +240,100 @@ class Checker {
                : "";
   }
 
-  void check_emitters_and_sinks() const {
+  void check_sinks() {
     const auto& sinks = scene_.simulation.sinks;
     for (std::size_t i = 0; i < sinks.size(); ++i) {
       check_shape(sinks[i].shape, child_path("sinks", i));
     }
+  }
+
+  void check_emitters() {
     if (const auto wrong = check_exchange(scene_)) {
-      fail(wrong->path, wrong->message);
+      complain(wrong->path, wrong->message);
     }
   }
 
   template <class Key>
-  void check_times(const std::vector<Key>& keys, const std::string& path) const {
+  void check_times(const std::vector<Key>& keys, const std::string& path) {
     for (std::size_t i = 1; i < keys.size(); ++i) {
       if (!(keys[i - 1].time < keys[i].time)) {
-        fail(child_path(child_path(path, i), "time"),
-             fmt::format("{:g} s is not after the key before it ({:g} s)", keys[i].time,
-                         keys[i - 1].time));
+        complain(child_path(child_path(path, i), "time"),
+                 fmt::format("{:g} s is not after the key before it ({:g} s)", keys[i].time,
+                             keys[i - 1].time));
       }
     }
   }
 
-  void check_forces_and_solver() const {
+  void check_forces_and_solver() {
     check_times(scene_.simulation.forces.body, "forces.body");
     const auto& solver = scene_.simulation.solver;
     if (solver.min_iterations > solver.max_iterations) {
-      fail("solver.min_iterations", fmt::format("{} is above max_iterations ({})",
-                                                solver.min_iterations, solver.max_iterations));
+      complain("solver.min_iterations", fmt::format("{} is above max_iterations ({})",
+                                                    solver.min_iterations, solver.max_iterations));
     }
     if (solver.min_time_step > solver.max_time_step) {
-      fail("solver.min_time_step", fmt::format("{:g} s is above max_time_step ({:g} s)",
-                                               solver.min_time_step, solver.max_time_step));
+      complain("solver.min_time_step", fmt::format("{:g} s is above max_time_step ({:g} s)",
+                                                   solver.min_time_step, solver.max_time_step));
     }
   }
 
-  void check_picture() const {
+  void check_picture() {
     const VideoConfig& video = scene_.video;
     if (video.width % 2 != 0) {
-      fail("video.width", fmt::format("{} is odd; accepted: even numbers", video.width));
+      complain("video.width", fmt::format("{} is odd; accepted: even numbers", video.width));
     }
     if (video.height % 2 != 0) {
-      fail("video.height", fmt::format("{} is odd; accepted: even numbers", video.height));
+      complain("video.height", fmt::format("{} is odd; accepted: even numbers", video.height));
     }
-    if (video.duration * video.frames_per_second > 1e6 || video.frame_count() < 1) {
-      fail("video.duration",
-           fmt::format("{:g} s at {} frames per second are {:.0f} frames; accepted: 1 ... 1000000",
-                       video.duration, video.frames_per_second,
-                       video.duration * video.frames_per_second));
+    const double rate = video.frames_per_second.per_second();
+    if (video.duration * rate > 1e6 || video.frame_count() < 1) {
+      complain(
+          "video.duration",
+          fmt::format("{:g} s at {:g} frames per second are {:.0f} frames; accepted: 1 ... 1000000",
+                      video.duration, rate, video.duration * rate));
     }
     if (glm::length(scene_.light.direction) < 1e-6f) {
-      fail("light.direction", "has no length");
+      complain("light.direction", "has no length");
     }
     if (scene_.look.color_min > scene_.look.color_max) {
-      fail("look.color_min", fmt::format("{:g} is above color_max ({:g})", scene_.look.color_min,
-                                         scene_.look.color_max));
+      complain("look.color_min", fmt::format("{:g} is above color_max ({:g})",
+                                             scene_.look.color_min, scene_.look.color_max));
     }
   }
 
-  void check_probes() const {
+  void check_probes() {
     const auto& probes = scene_.probes;
+    std::map<std::string_view, std::size_t> names;
     for (std::size_t i = 0; i < probes.size(); ++i) {
       const std::string path = child_path("probes", i);
       check_probe_name(probes[i].name, child_path(path, "name"));
-      for (std::size_t k = 0; k < i; ++k) {
-        if (probes[k].name == probes[i].name) {
-          fail(child_path(path, "name"),
-               fmt::format("\"{}\" is the name of probes[{}] already", probes[i].name, k));
-        }
+      if (const auto [first, is_new] = names.emplace(probes[i].name, i); !is_new) {
+        complain(child_path(path, "name"), fmt::format("\"{}\" is the name of probes[{}] already",
+                                                       shown(probes[i].name), first->second));
       }
       check_probe_place(probes[i], path);
     }
     if (!probes.empty() && scene_.video.duration * scene_.probes_rate > 1e6) {
-      fail("probes_rate", fmt::format("{:g} readings per second for {:g} s are {:g}; at most "
-                                      "1000000 are accepted",
-                                      scene_.probes_rate, scene_.video.duration,
-                                      scene_.video.duration * scene_.probes_rate));
+      complain("probes_rate", fmt::format("{:g} readings per second for {:g} s are {:g}; at most "
+                                          "1000000 are accepted",
+                                          scene_.probes_rate, scene_.video.duration,
+                                          scene_.video.duration * scene_.probes_rate));
     }
   }
 
-  void check_probe_name(const std::string& name, const std::string& path) const {
+  void check_probe_name(const std::string& name, const std::string& path) {
     const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
       return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
              c == '_' || c == '-';
     });
     if (name.empty() || !plain) {
-      fail(path,
-           fmt::format("\"{}\" can't name a column; accepted: letters, digits, _ and -", name));
+      complain(path, fmt::format("\"{}\" can't name a column; accepted: letters, digits, _ and -",
+                                 shown(name)));
     }
   }
 
   /// Where a probe has a place, it lies in the domain.
-  void check_probe_place(const sim::Probe& probe, const std::string& path) const {
+  void check_probe_place(const sim::Probe& probe, const std::string& path) {
     const auto& domain = scene_.simulation.domain;
     glm::vec3 place = 0.5f * (domain.min + domain.max);
     std::string key;
@@ -315,38 +347,40 @@ class Checker {
     }
     for (int axis = 0; axis < 3; ++axis) {
       if (place[axis] < domain.min[axis] || place[axis] > domain.max[axis]) {
-        fail(child_path(path, key),
-             fmt::format("{} = {:g} m is outside the domain {} ... {}", "xyz"[axis], place[axis],
-                         text_of(domain.min), text_of(domain.max)));
+        return complain(child_path(path, key),
+                        fmt::format("{} = {:g} m is outside the domain {} ... {}", "xyz"[axis],
+                                    place[axis], text_of(domain.min), text_of(domain.max)));
       }
     }
   }
 
-  void check_camera() const {
+  void check_camera() {
     const auto& keys = scene_.camera.keyframes;
     check_times(keys, "camera.keyframes");
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const std::string path = child_path("camera.keyframes", i);
       const glm::vec3 forward = keys[i].target - keys[i].position;
       if (glm::length(forward) < 1e-6f) {
-        fail(path, "position and target are the same point");
+        complain(path, "position and target are the same point");
+        continue;
       }
       const glm::vec3 across = glm::cross(glm::normalize(forward), keys[i].up);
       if (glm::length(across) < 1e-4f * glm::length(keys[i].up) || glm::length(keys[i].up) == 0.f) {
-        fail(path, fmt::format("up {} is along the view from {} to {}", text_of(keys[i].up),
-                               text_of(keys[i].position), text_of(keys[i].target)));
+        complain(path, fmt::format("up {} is along the view from {} to {}", text_of(keys[i].up),
+                                   text_of(keys[i].position), text_of(keys[i].target)));
       }
     }
   }
 
   const Scene& scene_;
   const SceneDocument& document_;
+  std::vector<Problem> problems_;
 };
 
 }  // namespace
 
 void check_scene(const Scene& scene, const SceneDocument& document) {
-  Checker(scene, document).check();
+  throw_if_any(Checker(scene, document).check());
 }
 
 }  // namespace spindrift::app

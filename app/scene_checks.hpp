@@ -6,7 +6,8 @@
 
 namespace spindrift::app {
 
-/// Checks that the settings fit together. @throws SceneError that names the value's place.
+/// Checks that the settings fit together. @throws SceneError with all that do not, each with its
+/// place
 void check_scene(const Scene& scene, const SceneDocument& document);
 
 }  // namespace spindrift::app

@@ -28,7 +28,7 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::optional<int> cuda_device)
       obstacles_(scene.simulation.obstacles) {
   std::vector<double> instants;  // of all pictures, whichever are wanted now
   for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)
-    instants.push_back(static_cast<double>(k) / scene.video.frames_per_second);
+    instants.push_back(scene.video.frames_per_second.time_of(k));
   reach_ = obstacles_.reach(instants);
   if (!obstacles_.empty())
     renderer_.set_obstacles(obstacles_.at(0), reach_);

@@ -368,7 +368,9 @@ inline constexpr auto table<VideoConfig> = std::tuple{
     Field{"width", &VideoConfig::width, "even", Range{16, 8192}, "pixels"},
     Field{"height", &VideoConfig::height, "even", Range{16, 8192}, "pixels"},
     Field{"frames_per_second", &VideoConfig::frames_per_second,
-          "pictures per second of the liquid's time", Range{1, 1000}, "1/s"},
+          "pictures per second of the liquid's time; a fraction as text, such as \"30000/1001\" "
+          "(NTSC)",
+          Range{1, 1000}, "1/s"},
     Field{"duration", &VideoConfig::duration, "length of the video", Range{1e-3, 1e5}, "s"},
     Field{"quality", &VideoConfig::quality,
           "H.264 constant rate factor: 0 is best, 18 looks lossless, 51 is worst; none is "

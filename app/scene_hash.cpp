@@ -59,7 +59,7 @@ std::string simulation_hash(const Scene& scene) {
   what["solver"].erase("backend");
   if (sim::choose_backend(scene.simulation).backend == sim::Backend::cuda)
     what["solver"]["backend"] = "cuda";
-  what["frames_per_second"] = scene.video.frames_per_second;
+  what["frames_per_second"] = json_of(scene.video.frames_per_second);
   if (!scene.probes.empty() && scene.probes_rate > 0)
     what["probes_rate"] = scene.probes_rate;  // steps end where probes are read
   what["particles_version"] = particles_version;

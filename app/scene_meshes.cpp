@@ -65,7 +65,7 @@ class MeshLoader {
 
  private:
   [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw SceneError(fmt::format("{}: {}: {}", document_.place_of(path), path, message));
+    throw SceneError(document_.problem(path, message));
   }
 
   void check_size(const sim::TriangleSurface& surface, const std::string& path) const {

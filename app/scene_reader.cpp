@@ -2,15 +2,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
+#include <istream>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "app/frame_rate_text.hpp"
 #include "app/golden_list.hpp"
 #include "app/nearest_name.hpp"
 #include "app/scene.hpp"
@@ -19,13 +20,15 @@
 #include "app/scene_fields.hpp"
 #include "app/scene_meshes.hpp"
 #include "app/scene_reader.hpp"
+#include "app/shown_text.hpp"
+#include "render/output/input_file.hpp"
 
 namespace spindrift::app {
 namespace {
 
 std::string found_text(const Json& json) {
-  const auto shorten = [](std::string text) {
-    return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+  const auto text = [&] {
+    return shown(json.dump(-1, ' ', false, Json::error_handler_t::replace));
   };
   switch (json.type()) {
     case Json::value_t::null:
@@ -33,9 +36,9 @@ std::string found_text(const Json& json) {
     case Json::value_t::object:
       return "an object";
     case Json::value_t::array:
-      return "the list " + shorten(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+      return "the list " + text();
     default:
-      return shorten(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+      return text();
   }
 }
 
@@ -49,27 +52,23 @@ struct Bounds {
   std::string_view unit;
 };
 
-template <class T>
-inline constexpr bool is_vector = false;
-template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
-
+/// Reads a document's values into settings, and gathers all that is wrong with them.
 class SceneReader {
  public:
-  explicit SceneReader(const SceneDocument& document) : document_(document) {}
+  std::vector<Problem> problems() && { return std::move(problems_); }
 
   template <Section T>
-  void read(const Json& json, const std::string& path, T& into, const Bounds& = {}) {
+  void read(const LocatedValue& value, T& into, const Bounds& = {}) {
     std::vector<std::string_view> keys;
     list_keys<T>(keys);
-    check_keys(json, path, keys);
-    read_fields(json, path, into);
+    std::vector<std::string_view> meant;
+    if (check_keys(value, keys, meant))
+      read_fields(value, into, meant);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw SceneError(fmt::format("{}: {}{}{}", document_.place_of(path), path,
-                                 path.empty() ? "" : ": ", message));
+  void complain(const LocatedValue& value, std::string message) {
+    problems_.push_back(value.problem(std::move(message)));
   }
 
   template <class T>
@@ -87,64 +86,73 @@ class SceneReader {
     });
   }
 
-  void check_keys(const Json& json, const std::string& path,
-                  const std::vector<std::string_view>& keys) const {
-    if (!json.is_object() && keys.empty()) {
-      fail(path, fmt::format("expected an empty object {{}}, found {}", found_text(json)));
+  /// Whether the value is an object; its keys should be among those. @param meant the nearest
+  /// names of unknown keys, which need not be found missing as well
+  bool check_keys(const LocatedValue& value, const std::vector<std::string_view>& keys,
+                  std::vector<std::string_view>& meant) {
+    if (!value.json().is_object()) {
+      complain(value, keys.empty()
+                          ? fmt::format("expected an empty object {{}}, found {}",
+                                        found_text(value.json()))
+                          : fmt::format("expected an object {{...}} with keys out of {}, found {}",
+                                        fmt::join(keys, ", "), found_text(value.json())));
+      return false;
     }
-    if (!json.is_object()) {
-      fail(path, fmt::format("expected an object {{...}} with keys out of {}, found {}",
-                             fmt::join(keys, ", "), found_text(json)));
-    }
-    for (const auto& [key, value] : json.items()) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        fail(child_path(path, key), keys.empty()
-                                        ? "unknown key; none is accepted here, write {}"
-                                        : fmt::format("unknown key; {}", suggestion(key, keys)));
-      }
-    }
+    value.for_each_member([&](const std::string& key, const LocatedValue& member) {
+      const bool of_editors = value.is_root() && key == "$schema";
+      if (of_editors || std::find(keys.begin(), keys.end(), key) != keys.end())
+        return;
+      complain(member, keys.empty() ? "unknown key; none is accepted here, write {}"
+                                    : fmt::format("unknown key; {}", suggestion(key, keys)));
+      meant.push_back(nearest_name(key, keys));
+    });
+    return true;
   }
 
   template <Section T>
-  void read_fields(const Json& json, const std::string& path, T& into) {
+  void read_fields(const LocatedValue& value, T& into, const std::vector<std::string_view>& meant) {
+    const auto is_meant = [&](std::string_view key) {
+      return std::find(meant.begin(), meant.end(), key) != meant.end();
+    };
     for_each_field<T>([&](const auto& field) {
-      auto& value = into.*field.member;
-      using Value = std::remove_reference_t<decltype(value)>;
+      auto& member = into.*field.member;
+      using Value = std::remove_reference_t<decltype(member)>;
       if (field.key.empty()) {
         if constexpr (Section<Value>) {
-          read_fields(json, path, value);
+          read_fields(value, member, meant);
         } else if constexpr (Alternatives<Value>) {
-          read_alternative(json, path, value);
+          const auto& names = alternative_names<Value>;
+          read_alternative(value, member, std::any_of(names.begin(), names.end(), is_meant));
         }
         return;
       }
-      const auto found = json.find(field.key);
-      if (found != json.end()) {
-        read(*found, child_path(path, field.key), value, Bounds{field.range, field.unit});
-      } else if (field.presence == Presence::required) {
-        fail(path, fmt::format("\"{}\" is missing ({})", field.key, field.about));
+      if (const auto found = value.find(field.key)) {
+        read(*found, member, Bounds{field.range, field.unit});
+      } else if (field.presence == Presence::required && !is_meant(field.key)) {
+        complain(value, fmt::format("\"{}\" is missing ({})", field.key, field.about));
       }
     });
   }
 
+  /// @param is_meant one of them by an unknown key
   template <Alternatives V>
-  void read_alternative(const Json& json, const std::string& path, V& into) {
+  void read_alternative(const LocatedValue& value, V& into, bool is_meant) {
     const auto& names = alternative_names<V>;
     std::vector<std::size_t> given;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (json.contains(names[i])) {
+      if (value.json().contains(names[i])) {
         given.push_back(i);
       }
     }
     if (given.size() != 1) {
-      fail(path, fmt::format("expected one {} out of {}, found {}", variant_name<V>,
-                             fmt::join(names, ", "), given.size()));
+      if (!given.empty() || !is_meant)
+        complain(value, fmt::format("expected one {} out of {}, found {}", variant_name<V>,
+                                    fmt::join(names, ", "), given.size()));
+      return;
     }
     into = all_alternatives<V>(std::make_index_sequence<std::variant_size_v<V>>())[given[0]];
-    const std::string_view name = names[given[0]];
-    std::visit(
-        [&](auto& chosen) { read(json.at(std::string(name)), child_path(path, name), chosen); },
-        into);
+    const LocatedValue chosen = *value.find(names[given[0]]);
+    std::visit([&](auto& alternative) { read(chosen, alternative); }, into);
   }
 
   template <class V, std::size_t... I>
@@ -153,132 +161,166 @@ class SceneReader {
   }
 
   /// A still camera is one key written straight into the section.
-  void read(const Json& json, const std::string& path, CameraSettings& into, const Bounds&) {
-    std::vector<std::string_view> keys;
+  void read(const LocatedValue& value, CameraSettings& into, const Bounds&) {
+    std::vector<std::string_view> keys, meant;
     list_keys<CameraSettings>(keys);
     list_keys<CameraKey>(keys);
-    check_keys(json, path, keys);
-    const bool has_keyframes = json.contains("keyframes");
-    if (has_keyframes && json.size() > 1) {
-      fail(path, "give either keyframes or a still camera, not both");
-    }
-    if (has_keyframes) {
-      read_fields(json, path, into);
-    } else if (!json.empty()) {
+    if (!check_keys(value, keys, meant))
+      return;
+    const bool has_keyframes = value.json().contains("keyframes");
+    const std::size_t known = value.json().size() - meant.size();
+    if (has_keyframes && known > 1) {
+      complain(value, "give either keyframes or a still camera, not both");
+    } else if (has_keyframes) {
+      read_fields(value, into, meant);
+    } else if (known > 0) {
       into.keyframes.resize(1);
-      read_fields(json, path, into.keyframes[0]);
+      read_fields(value, into.keyframes[0], meant);
     }
   }
 
   template <class T>
-  void read(const Json& json, const std::string& path, std::vector<T>& into,
-            const Bounds& of_each) {
-    if (!json.is_array()) {
-      fail(path, fmt::format("expected a list [...], found {}", found_text(json)));
-    }
+  void read(const LocatedValue& value, std::vector<T>& into, const Bounds& of_each) {
+    if (!value.json().is_array())
+      return complain(value,
+                      fmt::format("expected a list [...], found {}", found_text(value.json())));
     into.clear();
-    for (std::size_t i = 0; i < json.size(); ++i) {
+    for (std::size_t i = 0; i < value.json().size(); ++i) {
       into.emplace_back();
-      read(json[i], child_path(path, i), into.back(), of_each);
+      read(value[i], into.back(), of_each);
     }
   }
 
   template <class T>
-  void read(const Json& json, const std::string& path, std::optional<T>& into,
-            const Bounds& bounds) {
-    read(json, path, into.emplace(), bounds);
+  void read(const LocatedValue& value, std::optional<T>& into, const Bounds& bounds) {
+    read(value, into.emplace(), bounds);
   }
 
-  void read(const Json& json, const std::string& path, std::string& into, const Bounds&) {
-    if (!json.is_string()) {
-      fail(path, fmt::format("expected text, found {}", found_text(json)));
-    }
-    into = json.get<std::string>();
+  /// Names and files; neither goes over a line's end.
+  void read(const LocatedValue& value, std::string& into, const Bounds&) {
+    if (!value.json().is_string())
+      return complain(value, fmt::format("expected text, found {}", found_text(value.json())));
+    into = value.json().get<std::string>();
+    if (holds_control_characters(into))
+      complain(value, fmt::format("{} holds control characters", found_text(value.json())));
   }
 
-  void read(const Json& json, const std::string& path, bool& into, const Bounds&) {
-    if (!json.is_boolean()) {
-      fail(path, fmt::format("expected true or false, found {}", found_text(json)));
-    }
-    into = json.get<bool>();
+  void read(const LocatedValue& value, bool& into, const Bounds&) {
+    if (!value.json().is_boolean())
+      return complain(value,
+                      fmt::format("expected true or false, found {}", found_text(value.json())));
+    into = value.json().get<bool>();
   }
 
-  double read_number(const Json& json, const std::string& path, const Bounds& bounds) const {
+  /// A number within the bounds; none, with a complaint, for anything else.
+  std::optional<double> read_number(const LocatedValue& value, const Bounds& bounds) {
     const std::string accepted = range_text(bounds.range, bounds.unit);
-    if (!json.is_number()) {
-      fail(path, fmt::format("expected a number ({}), found {}", accepted, found_text(json)));
+    if (!value.json().is_number()) {
+      complain(value,
+               fmt::format("expected a number ({}), found {}", accepted, found_text(value.json())));
+      return std::nullopt;
     }
-    const double number = json.get<double>();
+    const double number = value.json().get<double>();
     if (!(number >= bounds.range.min && number <= bounds.range.max)) {
-      fail(path, fmt::format("{} is out of range; accepted: {}", found_text(json), accepted));
+      complain(value,
+               fmt::format("{} is out of range; accepted: {}", found_text(value.json()), accepted));
+      return std::nullopt;
     }
     return number;
   }
 
-  void read(const Json& json, const std::string& path, double& into, const Bounds& bounds) {
-    into = read_number(json, path, bounds);
+  void read(const LocatedValue& value, double& into, const Bounds& bounds) {
+    into = read_number(value, bounds).value_or(into);
   }
-  void read(const Json& json, const std::string& path, float& into, const Bounds& bounds) {
-    into = static_cast<float>(read_number(json, path, bounds));
+  void read(const LocatedValue& value, float& into, const Bounds& bounds) {
+    if (const auto number = read_number(value, bounds))
+      into = static_cast<float>(*number);
   }
-  void read(const Json& json, const std::string& path, int& into, const Bounds& bounds) {
-    const double number = read_number(json, path, bounds);
-    into = static_cast<int>(number);
-    if (into != number) {
-      fail(path, fmt::format("{} is not a whole number; accepted: {}", found_text(json),
-                             range_text(bounds.range, bounds.unit)));
-    }
+  void read(const LocatedValue& value, int& into, const Bounds& bounds) {
+    const auto number = read_number(value, bounds);
+    if (!number)
+      return;
+    into = static_cast<int>(*number);
+    if (into != *number)
+      complain(value, fmt::format("{} is not a whole number; accepted: {}",
+                                  found_text(value.json()), range_text(bounds.range, bounds.unit)));
   }
 
-  void read(const Json& json, const std::string& path, glm::vec3& into, const Bounds& bounds) {
-    if (!json.is_array() || json.size() != 3) {
-      fail(path, fmt::format("expected three numbers [x, y, z] ({}), found {}",
-                             range_text(bounds.range, bounds.unit), found_text(json)));
-    }
-    for (int i = 0; i < 3; ++i) {
-      read(json[static_cast<std::size_t>(i)], child_path(path, static_cast<std::size_t>(i)),
-           into[i], bounds);
-    }
+  void read(const LocatedValue& value, FrameRate& into, const Bounds& bounds) {
+    std::optional<FrameRate> rate;
+    if (value.json().is_string())
+      rate = rate_of(value.json().get<std::string>());
+    else if (const auto number = read_number(value, bounds))
+      rate = rate_of(*number);
+    else
+      return;
+    const std::string found = found_text(value.json()),
+                      accepted = range_text(bounds.range, bounds.unit);
+    if (!rate)
+      complain(value,
+               fmt::format("{} is no frame rate; accepted: a number with up to three decimal "
+                           "places, or a fraction as text, such as \"30000/1001\" ({})",
+                           found, accepted));
+    else if (rate->per_second() < bounds.range.min || rate->per_second() > bounds.range.max)
+      complain(value, fmt::format("{} is out of range; accepted: {}", found, accepted));
+    else
+      into = *rate;
+  }
+
+  void read(const LocatedValue& value, glm::vec3& into, const Bounds& bounds) {
+    if (!value.json().is_array() || value.json().size() != 3)
+      return complain(value,
+                      fmt::format("expected three numbers [x, y, z] ({}), found {}",
+                                  range_text(bounds.range, bounds.unit), found_text(value.json())));
+    for (int i = 0; i < 3; ++i)
+      read(value[static_cast<std::size_t>(i)], into[i], bounds);
   }
 
   template <class E>
   requires std::is_enum_v<E>
-  void read(const Json& json, const std::string& path, E& into, const Bounds&) {
+  void read(const LocatedValue& value, E& into, const Bounds&) {
     const auto& names = value_names<E>;
-    if (!json.is_string()) {
-      fail(path,
-           fmt::format("expected one of {}, found {}", fmt::join(names, ", "), found_text(json)));
-    }
-    const auto typed = json.get<std::string>();
-    const auto found = std::find(names.begin(), names.end(), typed);
-    if (found == names.end()) {
-      fail(path, fmt::format("unknown value {}; {}", found_text(json), suggestion(typed, names)));
-    }
-    into = static_cast<E>(found - names.begin());
+    const std::string found = found_text(value.json());
+    if (!value.json().is_string())
+      return complain(value,
+                      fmt::format("expected one of {}, found {}", fmt::join(names, ", "), found));
+    const auto typed = value.json().get<std::string>();
+    const auto at = std::find(names.begin(), names.end(), typed);
+    if (at == names.end())
+      return complain(value, fmt::format("unknown value {}; {}", found, suggestion(typed, names)));
+    into = static_cast<E>(at - names.begin());
   }
 
   // An alternative is only ever read through its owner's keys.
   template <Alternatives V>
-  void read(const Json&, const std::string&, V&, const Bounds&) {}
-  void read(const Json&, const std::string&, sim::Settings&, const Bounds&) {}
+  void read(const LocatedValue&, V&, const Bounds&) {}
+  void read(const LocatedValue&, sim::Settings&, const Bounds&) {}
 
-  const SceneDocument& document_;
+  std::vector<Problem> problems_;
 };
 
-/// What a document holds, but for the name of its schema, which is for editors.
-Json content_of(const SceneDocument& document) {
-  Json root = document.root();
-  if (root.is_object()) {
-    root.erase("$schema");
-  }
-  return root;
+template <class T>
+void read_document(const SceneDocument& document, T& into) {
+  SceneReader reader;
+  reader.read(document.value(), into);
+  throw_if_any(std::move(reader).problems());
 }
 
 }  // namespace
 
 void read_section(const SceneDocument& document, GoldenList& into) {
-  SceneReader(document).read(content_of(document), "", into);
+  read_document(document, into);
 }
+
+namespace {
+
+constexpr std::size_t most_scene_bytes = 32 << 20;
+
+std::string too_long(const std::string& source) {
+  return fmt::format("{}: longer than {} MB; no scene is", source, most_scene_bytes >> 20);
+}
+
+}  // namespace
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& source,
                   const Overrides& overrides) {
@@ -287,12 +329,11 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   for (const std::string& assignment : overrides) {
     document.override_value(assignment, defaults);
   }
-  const Json root = content_of(document);
   Scene scene;
   scene.name = source.stem().string();
-  SceneReader(document).read(root, "", scene);
+  read_document(document, scene);
   auto& fluid = scene.simulation.fluid;
-  if (!fluid.emitters.empty() && !root.at("fluid").contains("volumes")) {
+  if (!fluid.emitters.empty() && !document.root().at("fluid").contains("volumes")) {
     fluid.volumes.clear();  // the column that stands where nothing is said
   }
   load_meshes(scene, document, source.parent_path());
@@ -301,14 +342,23 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
 }
 
 std::string scene_text(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) {
-    throw SceneError(fmt::format("{}: there is no such file", file.string()));
+  try {
+    std::error_code unknown;
+    if (std::filesystem::file_size(file, unknown) > most_scene_bytes && !unknown)
+      throw std::runtime_error(too_long(file.string()));
+    return output::read_file(file);
+  } catch (const std::exception& error) {
+    throw SceneError(error.what());
   }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw SceneError(fmt::format("{}: this file can't be read", file.string()));
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string scene_text(std::istream& stream, const std::string& source) {
+  std::string text(most_scene_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > most_scene_bytes)
+    throw SceneError(too_long(source));
+  return text;
 }
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {

@@ -30,6 +30,10 @@ Json schema_of(const double*, const Range& range) {
 Json schema_of(const float*, const Range& range) {
   return schema_of(static_cast<const double*>(nullptr), range);
 }
+Json schema_of(const FrameRate*, const Range& range) {
+  return {{"anyOf", Json::array({schema_of(static_cast<const double*>(nullptr), range),
+                                 {{"type", "string"}, {"pattern", "^[0-9]{1,7}/[0-9]{1,7}$"}}})}};
+}
 Json schema_of(const glm::vec3*, const Range& range) {
   return {{"type", "array"},
           {"items", schema_of(static_cast<const float*>(nullptr), range)},

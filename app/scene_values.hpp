@@ -14,6 +14,7 @@ namespace spindrift::app {
 
 Json json_of(float value);
 Json json_of(const glm::vec3& value);
+Json json_of(const FrameRate& value);
 inline Json json_of(double value) {
   return value;
 }

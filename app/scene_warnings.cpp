@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/error_report.hpp"
 #include "app/estimate.hpp"
 #include "app/scene_document.hpp"
 #include "app/scene_meshes.hpp"
@@ -31,6 +32,7 @@ class Warnings {
     for (std::size_t i = 0; i < settings_.fluid.emitters.size(); ++i) {
       look_at_emitter(settings_.fluid.emitters[i], child_path("fluid.emitters", i));
     }
+    look_at_speed_of_sound();
     return std::move(found_);
   }
 
@@ -75,6 +77,28 @@ class Warnings {
     }
   }
 
+  /// The equation of state lets the liquid be compressed by about (v/c)²: v is the fastest speed of
+  /// the scene, c the speed of sound (Monaghan 1994).
+  void look_at_speed_of_sound() {
+    const float given = settings_.solver.speed_of_sound;
+    if (settings_.solver.type != sim::SolverType::sph || given <= 0) {
+      return;
+    }
+    sim::InitialParticles start;
+    for (const sim::Volume& volume : settings_.fluid.volumes) {
+      start.velocities.push_back(volume.velocity);
+    }
+    const float enough = sim::default_speed_of_sound(settings_, start);
+    if (given < 0.999f * enough) {
+      add("solver.speed_of_sound",
+          fmt::format(
+              "{:g} m/s is less than ten times the {:g} m/s that the liquid can reach in "
+              "this scene: it may be compressed by more than 1 %; from {:g} m/s on, or with "
+              "0, it is not",
+              given, enough / 10, enough));
+    }
+  }
+
   void look_at_obstacles() {
     for (std::size_t k = 0; k < settings_.obstacles.size(); ++k) {
       if (!ever_in_domain(settings_.obstacles[k])) {
@@ -90,8 +114,7 @@ class Warnings {
       return !sim::is_apart(bounds, domain);
     }
     for (int frame = 0; frame <= scene_.video.frame_count(); ++frame) {
-      const sim::Pose pose =
-          sim::pose_at(obstacle, static_cast<double>(frame) / scene_.video.frames_per_second);
+      const sim::Pose pose = sim::pose_at(obstacle, scene_.video.frames_per_second.time_of(frame));
       sim::Box posed{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
       for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 p(pose(glm::dvec3((corner & 1) ? bounds.max.x : bounds.min.x,
@@ -156,7 +179,7 @@ std::vector<Complaint> warnings_of(const Scene& scene) {
 
 void print_warnings(const Scene& scene) {
   for (const Complaint& warning : warnings_of(scene)) {
-    fmt::print(stderr, "spindrift: warning: {}: {}\n", warning.path, warning.message);
+    tell_warning(fmt::format("{}: {}", warning.path, warning.message));
   }
 }
 

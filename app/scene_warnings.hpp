@@ -9,7 +9,8 @@
 namespace spindrift::app {
 
 /// Meshes with cavities, liquid that has no place, in litres asked for and got, obstacles outside
-/// the domain, and emitters that bring nothing; each with the path of what is meant.
+/// the domain, emitters that bring nothing, and a speed of sound (sph) that lets the liquid be
+/// compressed; each with the path of what is meant.
 std::vector<Complaint> warnings_of(const Scene& scene);
 
 /// Prints them to standard error.

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <type_traits>
 
+#include "app/frame_rate_text.hpp"
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
 #include "app/scene_values.hpp"
@@ -19,6 +20,11 @@ Json json_of(float value) {
 
 Json json_of(const glm::vec3& value) {
   return Json::array({json_of(value.x), json_of(value.y), json_of(value.z)});
+}
+
+/// As text where it is no whole number.
+Json json_of(const FrameRate& value) {
+  return value.denominator == 1 ? Json(value.numerator) : Json(rate_text(value));
 }
 
 Json to_json(const Scene& scene) {

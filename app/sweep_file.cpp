@@ -9,6 +9,7 @@
 
 #include "app/nearest_name.hpp"
 #include "app/scene_reader.hpp"
+#include "app/shown_text.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -19,171 +20,202 @@ constexpr std::array<std::string_view, 3> hypercube_keys{"samples", "seed", "ran
 constexpr std::array<std::string_view, 4> range_keys{"min", "max", "scale", "whole"};
 constexpr std::array<std::string_view, 2> scales{"linear", "logarithmic"};
 
+/// Reads a sweep, and gathers all that is wrong with it.
 class SweepReader {
  public:
-  SweepReader(const SceneDocument& document, std::filesystem::path folder)
-      : document_(document), folder_(std::move(folder)) {}
+  explicit SweepReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  SweepRequest read() const {
-    const Json& root = document_.root();
-    check_keys(root, "", file_keys);
-    if (!root.contains("scene"))
-      fail("", "\"scene\" is missing (the scene file, its path from the sweep file's folder)");
+  /// @throws SceneError
+  SweepRequest read(const LocatedValue& root) {
     SweepRequest request;
-    request.scene = folder_ / text(root.at("scene"), "scene");
-    if (root.contains("set"))
-      read_fixed(root.at("set"), request.axes);
-    if (root.contains("grid"))
-      read_grid(root.at("grid"), request.axes);
-    if (root.contains("list"))
-      request.axes.push_back(read_list(root.at("list")));
-    if (root.contains("latin_hypercube"))
-      request.axes.push_back(read_hypercube(root.at("latin_hypercube")));
-    if (root.contains("reference"))
-      request.reference = text(root.at("reference"), "reference");
-    if (root.contains("targets"))
-      for (const auto& [metric, value] : object(root.at("targets"), "targets").items())
-        request.targets.push_back({metric, number(value, child_path("targets", metric))});
-    if (root.contains("times"))
-      for (const Json& time : list(root.at("times"), "times"))
-        request.times.push_back(number(time, "times"));
+    if (check_keys(root, file_keys))
+      read_keys(root, request);
+    throw_if_any(std::move(problems_));
     return request;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw SceneError(fmt::format("{}: {}{}{}", document_.place_of(path), path,
-                                 path.empty() ? "" : ": ", message));
+  void read_keys(const LocatedValue& root, SweepRequest& request) {
+    if (const auto scene = root.find("scene"))
+      request.scene = folder_ / text(*scene);
+    else
+      complain(root,
+               "\"scene\" is missing (the scene file, its path from the sweep file's folder)");
+    if (const auto fixed = root.find("set"))
+      for (const SweepValue& value : row_of(*fixed))
+        request.axes.push_back({{value}});
+    if (const auto grid = root.find("grid"))
+      read_grid(*grid, request.axes);
+    if (const auto rows = root.find("list"))
+      request.axes.push_back(read_list(*rows));
+    if (const auto hypercube = root.find("latin_hypercube"))
+      if (check_keys(*hypercube, hypercube_keys))
+        request.axes.push_back(read_hypercube(*hypercube));
+    if (const auto reference = root.find("reference"))
+      request.reference = text(*reference);
+    if (const auto targets = root.find("targets"))
+      for_each_member(*targets, [&](const std::string& metric, const LocatedValue& value) {
+        request.targets.push_back({metric, number(value)});
+      });
+    if (const auto times = root.find("times"))
+      for_each_entry(*times,
+                     [&](const LocatedValue& time) { request.times.push_back(number(time)); });
   }
 
-  [[noreturn]] void expected(const char* what, const Json& found, const std::string& path) const {
-    std::string shown = found.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (shown.size() > 40)
-      shown = shown.substr(0, 37) + "...";
-    fail(path, fmt::format("expected {}, found {}", what, shown));
+  void complain(const LocatedValue& value, std::string message) {
+    problems_.push_back(value.problem(std::move(message)));
   }
 
-  const Json& object(const Json& json, const std::string& path) const {
-    if (!json.is_object())
-      expected("an object {...}", json, path);
-    return json;
+  void expected(const char* what, const LocatedValue& found) {
+    complain(found,
+             fmt::format("expected {}, found {}", what,
+                         shown(found.json().dump(-1, ' ', false, Json::error_handler_t::replace))));
   }
 
-  const Json& list(const Json& json, const std::string& path) const {
-    if (!json.is_array() || json.empty())
-      expected("a list [...] of at least one entry", json, path);
-    return json;
+  bool is_object(const LocatedValue& value) {
+    if (!value.json().is_object())
+      expected("an object {...}", value);
+    return value.json().is_object();
   }
 
-  std::string text(const Json& json, const std::string& path) const {
-    if (!json.is_string())
-      expected("text", json, path);
-    return json.get<std::string>();
+  template <class F>
+  void for_each_member(const LocatedValue& value, F f) {
+    if (is_object(value))
+      value.for_each_member(f);
   }
 
-  double number(const Json& json, const std::string& path) const {
-    if (!json.is_number())
-      expected("a number", json, path);
-    return json.get<double>();
+  template <class F>
+  void for_each_entry(const LocatedValue& value, F f) {
+    if (!value.json().is_array() || value.json().empty())
+      return expected("a list [...] of at least one entry", value);
+    for (std::size_t k = 0; k < value.json().size(); ++k)
+      f(value[k]);
   }
 
-  int whole_number(const Json& json, const std::string& path, int min, int max) const {
-    const double value = number(json, path);
-    if (value < min || value > max || value != static_cast<int>(value))
-      fail(path, fmt::format("{} is out of range; accepted: whole numbers, {} ... {}", json.dump(),
-                             min, max));
-    return static_cast<int>(value);
+  std::string text(const LocatedValue& value) {
+    if (!value.json().is_string()) {
+      expected("text", value);
+      return {};
+    }
+    return value.json().get<std::string>();
   }
 
-  void check_keys(const Json& json, const std::string& path,
-                  std::span<const std::string_view> keys) const {
-    for (const auto& [key, value] : object(json, path).items())
+  double number(const LocatedValue& value) {
+    if (!value.json().is_number()) {
+      expected("a number", value);
+      return 0;
+    }
+    return value.json().get<double>();
+  }
+
+  int whole_number(const LocatedValue& value, int min, int max) {
+    const double found = number(value);
+    if (!value.json().is_number() ||
+        (min <= found && found <= max && found == static_cast<int>(found)))
+      return static_cast<int>(found);
+    complain(value, fmt::format("{} is out of range; accepted: whole numbers, {} ... {}",
+                                value.json().dump(), min, max));
+    return min;
+  }
+
+  /// Whether it is an object.
+  bool check_keys(const LocatedValue& value, std::span<const std::string_view> keys) {
+    for_each_member(value, [&](const std::string& key, const LocatedValue& member) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        fail(child_path(path, key), fmt::format("unknown key; {}", suggestion(key, keys)));
+        complain(member, fmt::format("unknown key; {}", suggestion(key, keys)));
+    });
+    return value.json().is_object();
   }
 
-  SweepValue value_of(const std::string& key, const Json& value, const std::string& path) const {
-    return {key, value, fmt::format("{}: {}", document_.place_of(path), path)};
+  /// Whether all of them are there.
+  bool has(const LocatedValue& value, std::initializer_list<const char*> keys) {
+    bool all = true;
+    for (const char* key : keys)
+      if (!value.json().contains(key)) {
+        complain(value, fmt::format("\"{}\" is missing", key));
+        all = false;
+      }
+    return all;
+  }
+
+  static SweepValue value_of(const std::string& key, const LocatedValue& value) {
+    const Problem here = value.problem({});
+    return {key, value.json(), fmt::format("{}: {}", here.place.text(), here.path)};
   }
 
   /// {"fluid.viscosity": 0.1, ...}
-  SweepValues row_of(const Json& json, const std::string& path) const {
+  SweepValues row_of(const LocatedValue& value) {
     SweepValues row;
-    for (const auto& [key, value] : object(json, path).items())
-      row.push_back(value_of(key, value, child_path(path, key)));
+    for_each_member(value, [&](const std::string& key, const LocatedValue& member) {
+      row.push_back(value_of(key, member));
+    });
     return row;
   }
 
-  void read_fixed(const Json& json, std::vector<SweepAxis>& axes) const {
-    for (const SweepValue& value : row_of(json, "set"))
-      axes.push_back({{value}});
-  }
-
-  void read_grid(const Json& json, std::vector<SweepAxis>& axes) const {
-    for (const auto& [key, values] : object(json, "grid").items()) {
-      const std::string path = child_path("grid", key);
+  void read_grid(const LocatedValue& grid, std::vector<SweepAxis>& axes) {
+    for_each_member(grid, [&](const std::string& key, const LocatedValue& values) {
       SweepAxis axis;
-      for (const Json& value : list(values, path))
-        axis.push_back({value_of(key, value, child_path(path, axis.size()))});
+      for_each_entry(values,
+                     [&](const LocatedValue& value) { axis.push_back({value_of(key, value)}); });
       axes.push_back(std::move(axis));
-    }
+    });
   }
 
-  SweepAxis read_list(const Json& json) const {
+  SweepAxis read_list(const LocatedValue& rows) {
     SweepAxis axis;
-    for (const Json& row : list(json, "list"))
-      axis.push_back(row_of(row, child_path("list", axis.size())));
+    for_each_entry(rows, [&](const LocatedValue& row) { axis.push_back(row_of(row)); });
     return axis;
   }
 
-  SampledRange read_range(const std::string& key, const Json& json, const std::string& path) const {
-    check_keys(json, path, range_keys);
-    for (const char* end : {"min", "max"})
-      if (!json.contains(end))
-        fail(path, fmt::format("\"{}\" is missing", end));
-    SampledRange range{.key = key,
-                       .min = number(json.at("min"), child_path(path, "min")),
-                       .max = number(json.at("max"), child_path(path, "max")),
-                       .place = fmt::format("{}: {}", document_.place_of(path), path)};
-    if (range.min >= range.max)
-      fail(child_path(path, "max"), "must be above min");
-    if (json.contains("whole") && !json.at("whole").is_boolean())
-      expected("true or false", json.at("whole"), child_path(path, "whole"));
-    range.whole = json.value("whole", false);
+  SampledRange read_range(const std::string& key, const LocatedValue& value) {
+    SampledRange range{.key = key, .place = value_of(key, value).place};
+    if (!check_keys(value, range_keys) || !has(value, {"min", "max"}))
+      return range;
+    const LocatedValue min = *value.find("min"), max = *value.find("max");
+    range.min = number(min);
+    range.max = number(max);
+    if (min.json().is_number() && max.json().is_number() && range.min >= range.max)
+      complain(max, "must be above min");
+    if (const auto whole = value.find("whole")) {
+      if (!whole->json().is_boolean())
+        expected("true or false", *whole);
+      range.whole = whole->json() == true;
+    }
     if (range.whole)
-      for (const char* end : {"min", "max"})
-        whole_number(json.at(end), child_path(path, end), -1'000'000, 1'000'000);
-    const std::string scale =
-        json.contains("scale") ? text(json.at("scale"), child_path(path, "scale")) : "linear";
-    if (std::find(scales.begin(), scales.end(), scale) == scales.end())
-      fail(child_path(path, "scale"),
-           fmt::format("unknown value \"{}\"; {}", scale, suggestion(scale, scales)));
-    range.logarithmic = scale == "logarithmic";
-    if (range.logarithmic && (range.min <= 0 || range.whole))
-      fail(child_path(path, "scale"),
-           "logarithmic needs a min above 0, and numbers that need not be whole");
+      for (const LocatedValue& end : {min, max})
+        whole_number(end, -1'000'000, 1'000'000);
+    if (const auto scale = value.find("scale"))
+      read_scale(*scale, range);
     return range;
   }
 
-  SweepAxis read_hypercube(const Json& json) const {
-    const std::string path = "latin_hypercube";
-    check_keys(json, path, hypercube_keys);
-    for (const char* key : {"samples", "ranges"})
-      if (!json.contains(key))
-        fail(path, fmt::format("\"{}\" is missing", key));
-    const int samples = whole_number(json.at("samples"), child_path(path, "samples"), 2, 10'000);
-    const int seed = json.contains("seed")
-                         ? whole_number(json.at("seed"), child_path(path, "seed"), 0, 2'000'000'000)
-                         : 1;
-    const std::string ranges_path = child_path(path, "ranges");
-    std::vector<SampledRange> ranges;
-    for (const auto& [key, range] : object(json.at("ranges"), ranges_path).items())
-      ranges.push_back(read_range(key, range, child_path(ranges_path, key)));
-    return latin_hypercube(ranges, samples, static_cast<unsigned>(seed));
+  void read_scale(const LocatedValue& value, SampledRange& range) {
+    const std::string scale = text(value);
+    if (value.json().is_string() && std::find(scales.begin(), scales.end(), scale) == scales.end())
+      complain(value,
+               fmt::format("unknown value \"{}\"; {}", shown(scale), suggestion(scale, scales)));
+    range.logarithmic = scale == "logarithmic";
+    if (range.logarithmic && (range.min <= 0 || range.whole))
+      complain(value, "logarithmic needs a min above 0, and numbers that need not be whole");
   }
 
-  const SceneDocument& document_;
+  SweepAxis read_hypercube(const LocatedValue& value) {
+    if (!has(value, {"samples", "ranges"}))
+      return {};
+    const int samples = whole_number(*value.find("samples"), 2, 10'000);
+    int seed = 1;
+    if (const auto given = value.find("seed"))
+      seed = whole_number(*given, 0, 2'000'000'000);
+    std::vector<SampledRange> ranges;
+    for_each_member(*value.find("ranges"), [&](const std::string& key, const LocatedValue& range) {
+      ranges.push_back(read_range(key, range));
+    });
+    return problems_.empty() ? latin_hypercube(ranges, samples, static_cast<unsigned>(seed))
+                             : SweepAxis{};
+  }
+
   std::filesystem::path folder_;
+  std::vector<Problem> problems_;
 };
 
 /// No scene has any of these keys.
@@ -227,7 +259,7 @@ std::optional<SweepRequest> read_sweep_file(const std::filesystem::path& file) {
   const SceneDocument document(scene_text(file), file.string());
   if (!is_sweep(document.root()))
     return std::nullopt;
-  return SweepReader(document, file.parent_path()).read();
+  return SweepReader(file.parent_path()).read(document.value());
 }
 
 nlohmann::ordered_json sweep_schema() {

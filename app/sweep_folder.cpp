@@ -68,8 +68,7 @@ bool SweepFolder::is_compared(const SweepPlan& plan, const SweepPair& pair) cons
 }
 
 int frame_at(const VideoConfig& video, double time) {
-  return std::clamp(static_cast<int>(std::lround(time * video.frames_per_second)), 0,
-                    video.frame_count() - 1);
+  return std::clamp(video.frames_per_second.count_in(time), 0, video.frame_count() - 1);
 }
 
 std::vector<SweepPair> pairs_of(const SweepPlan& plan) {

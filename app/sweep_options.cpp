@@ -1,6 +1,6 @@
 #include "app/sweep_options.hpp"
 
-#include <omp.h>
+#include <limits>
 
 #include "app/sweep_file.hpp"
 
@@ -28,7 +28,7 @@ void add_sweep_options(CLI::App& command, TypedSweep& typed) {
       ->type_name("SECONDS,...");
   command.add_option("--threads", typed.threads, "Threads of all runs together")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command.add_option("--jobs", typed.jobs, "Runs at once, at most; as many as threads if left out")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
@@ -51,7 +51,7 @@ int run_typed_sweep(const TypedSweep& typed, const std::string& hint) {
   options.output = typed.output.empty()
                        ? std::filesystem::path("out") / (file.stem().string() + "_sweep")
                        : std::filesystem::path(typed.output);
-  options.threads = typed.threads > 0 ? typed.threads : omp_get_max_threads();
+  options.threads = typed.threads;
   options.jobs = typed.jobs;
   options.quiet = typed.quiet;
   options.json = typed.json;

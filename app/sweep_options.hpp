@@ -16,7 +16,7 @@ struct TypedSweep {
   std::string reference;
   std::vector<std::string> targets;  ///< METRIC=NUMBER
   std::vector<double> times;         ///< s
-  int threads = 0;                   ///< 0: as many as the machine has
+  int threads = 0;
   int jobs = 0;
   bool quiet = false;
   bool json = false;

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "app/nearest_name.hpp"
 #include "app/scene_values.hpp"
@@ -63,28 +66,44 @@ std::string run_name(const SweepValues& values, const std::map<std::string, std:
   return text.size() <= most ? text : text_hash(text).substr(0, 16);
 }
 
-/// The message with the place where the value stands in the sweep, instead of how it was handed
-/// over; where it is about no one value, with the run's name.
-std::string placed_message(const std::string& message, const std::string& run,
-                           const SweepValues& all, const std::vector<std::string>& overrides) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string handed_over = fmt::format("--set {}: ", overrides[i]);
-    if (message.starts_with(handed_over))
-      return fmt::format("{}: {}", all[i].place, message.substr(handed_over.size()));
-  }
-  return fmt::format("{} (in the run {})", message, run);
+/// What is wrong with a run's scene, told where the value stands in the sweep instead of how it was
+/// handed over; where it is about no one value, with the run's name.
+Problem in_the_sweep(const Problem& problem, const std::string& run, const SweepValues& all,
+                     const std::vector<std::string>& overrides) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (problem.place.source == "--set " + overrides[i])
+      return {{all[i].place}, problem.path, problem.message};
+  return {problem.place, problem.path, fmt::format("{} (in the run {})", problem.message, run)};
 }
 
-Scene read_run(const std::filesystem::path& file, const std::string& name, const SweepValues& all) {
-  Overrides overrides;
-  for (const SweepValue& v : all)
-    overrides.push_back(fmt::format("{}={}", v.key, v.value.dump()));
-  try {
-    return read_scene(file, overrides);
-  } catch (const SceneError& error) {
-    throw SceneError(placed_message(error.what(), name, all, overrides));
+/// Reads the scenes of runs, and gathers what is wrong with them.
+class RunReader {
+ public:
+  explicit RunReader(const std::filesystem::path& file) : file_(file) {}
+
+  /// The scene; none where it can't be used.
+  std::optional<Scene> read(const std::string& name, const SweepValues& all) {
+    Overrides overrides;
+    for (const SweepValue& v : all)
+      overrides.push_back(fmt::format("{}={}", v.key, v.value.dump()));
+    try {
+      return read_scene(file_, overrides);
+    } catch (const SceneError& error) {
+      for (const Problem& problem : error.problems())
+        if (told_.insert(problem.text())
+                .second)  // a run that is wrong in the same way says no more
+          problems_.push_back(in_the_sweep(problem, name, all, overrides));
+      return std::nullopt;
+    }
   }
-}
+
+  std::vector<Problem> problems() && { return std::move(problems_); }
+
+ private:
+  const std::filesystem::path& file_;
+  std::set<std::string> told_;
+  std::vector<Problem> problems_;
+};
 
 /// Between frames probes are read while the liquid is simulated; so runs that read others then have
 /// a simulation of their own.
@@ -202,7 +221,7 @@ std::vector<double> picture_times(const SweepPlan& plan) {
   double last = plan.runs.front().scene.video.duration;
   for (const SweepRun& run : plan.runs) {
     const VideoConfig& video = run.scene.video;
-    last = std::min(last, (video.frame_count() - 1) / static_cast<double>(video.frames_per_second));
+    last = std::min(last, video.frames_per_second.time_of(video.frame_count() - 1));
   }
   std::vector<double> times;
   for (std::size_t k = 1; k <= picture_count; ++k)
@@ -235,9 +254,7 @@ SweepAxis parse_sweep_axis(const std::string& assignment) {
   int depth = 0;
   bool in_quotes = false;
   const auto add = [&] {
-    typed = trimmed(typed);
-    Json value = Json::parse(typed, nullptr, false);
-    axis.push_back({{key, value.is_discarded() ? Json(typed) : std::move(value), place}});
+    axis.push_back({{key, typed_value(trimmed(typed), {place}), place}});
     typed.clear();
   };
   for (std::size_t i = equals + 1; i < assignment.size(); ++i) {
@@ -275,15 +292,20 @@ SweepPlan plan_sweep(const SweepRequest& request) {
                  .times = request.times};
   const auto names = short_names(plan.keys);
   std::map<std::string, std::size_t> first;
+  RunReader reader(request.scene);
   for_each_combination(request.axes, [&](const SweepValues& all, const SweepValues& varied) {
     const std::string name = run_name(varied, names);
-    SweepRun run{name, varied, read_run(request.scene, name, all), {}};
+    std::optional<Scene> scene = reader.read(name, all);
+    if (!scene)
+      return;
+    SweepRun run{name, varied, std::move(*scene), {}};
     run.simulation = simulation_name(run.scene);
     if (!first.emplace(run.name, plan.runs.size()).second)
       throw SceneError(fmt::format("{}: two runs have the same values: {}",
                                    varied.empty() ? "list" : varied.back().place, run.name));
     plan.runs.push_back(std::move(run));
   });
+  throw_if_any(std::move(reader).problems());
   if (!request.reference.empty())
     plan.reference = find_reference(request.reference, plan.runs);
   if (plan.times.empty())

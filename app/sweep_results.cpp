@@ -277,7 +277,7 @@ Json results_json(const SweepPlan& plan, const SweepFolder& folder,
                     {"failure", results[i].failure},
                     {"width", video.width},
                     {"height", video.height},
-                    {"frames_per_second", video.frames_per_second},
+                    {"frames_per_second", video.frames_per_second.per_second()},
                     {"frames", video.frame_count()},
                     {"figures", figures}});
     if (results[i].distance)

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "render/frame_rate.hpp"
 #include "render/image.hpp"
 #include "render/mesh.hpp"
 
@@ -31,13 +32,6 @@ inline constexpr std::size_t most_pixels = std::size_t{2} * 8192 * 8192;
 /// 16-bit samples between the 8-bit ones, or that is animated.
 /// @throws std::runtime_error naming the file and the reason.
 Image read_png(const std::filesystem::path& file);
-
-/// Pictures per second as a fraction: 30, or 30000/1001 as in NTSC.
-struct FrameRate {
-  constexpr FrameRate(int n = 30, int d = 1) : numerator(n), denominator(d) {}
-
-  int numerator, denominator;
-};
 
 struct VideoSettings {
   int width = 1280;                  ///< pixels, even

@@ -2,7 +2,7 @@
 # The command line as a user types it: what each command returns and what it says.
 # Usage: command_line.sh PROGRAM PART, from the source tree's root. Returns 1 if a check fails.
 set -uo pipefail
-program=$1
+program=$(readlink -f "$1")
 part=$2
 failures=0
 folder=$(mktemp -d)
@@ -25,6 +25,18 @@ expect() {
   fi
 }
 
+# expect_json TEXT ARGUMENT...: a failure that is told on stdout in JSON as well; TEXT without line breaks.
+expect_json() {
+  local text=$1 found
+  shift
+  "$program" "$@" >"$folder/out" 2>"$folder/err" </dev/null
+  found=$?
+  local flat
+  flat=$(sed 's/^ *//' "$folder/out" | tr '\n' ' ' | sed 's/{ /{/g; s/ }/}/g')
+  [[ $flat == '{"errors": ['*"$text"*'], "exit_code": '$found'}'* ]] || complain "is not told in JSON: $text" "$@"
+  [[ -s $folder/err ]] || complain "is not told in words" "$@"
+}
+
 complain() {
   local what=$1
   shift
@@ -37,24 +49,47 @@ scene_with() {
   echo "$1" >"$folder/scene.json"
 }
 
+# What the program counts; nproc would tell OMP_NUM_THREADS instead.
+processors=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)
+
 case $part in
   usage)
     expect 0 "render" --help
     expect 0 "--frames" render --help
     expect 0 "spindrift 0" --version
+    expect 0 "spindrift 0" -V
+    expect 0 "spindrift 0" version
+    expect 0 "--frames" help render
+    expect 0 "render" help
+    for word in schema help version --version -V; do
+      expect 0 "$word" --help
+      grep -qE "^  (-V,)?${word#-V}" "$folder/out" || complain "does not list $word" --help
+    done
+    expect 2 'unknown command "rendr"; did you mean "render"' help rendr
+    expect 0 '"title": "Spindrift scene"' schema
     expect 2 "a command is missing"
     expect 2 'did you mean "render"' rendr scenes/dam_break.json
     expect 2 'did you mean "--threads"' check scenes/dam_break.json --thread 2
     expect 2 "scene is required" render
     expect 2 "there is no such file" render no_such_scene.json
     expect 2 "no_such_scene.json" render no_such_scene.json
-    expect 2 "can't be read" check scenes
+    expect 2 "scenes: is a folder, not a file" check scenes
+    mkfifo "$folder/pipe.json"
+    expect 2 "pipe.json: is a pipe (FIFO), not a file" check "$folder/pipe.json"
+    expect 2 "is a device, not a file" check /dev/zero
     expect 2 "within 0:119" render scenes/dam_break.json --frames 7:500
     expect 2 "within 0:119" render scenes/dam_break.json --frames 7:5
     expect 2 "within 0:119" render scenes/dam_break.json --frames first
     expect 2 "no_such_folder" render scenes/dam_break.json --from-particles no_such_folder
     expect 2 "meshes" render scenes/dam_break.json --export foam
     expect 2 "threads" check scenes/dam_break.json --threads 0
+    for command in check render simulate bench sweep; do
+      expect 2 "--threads 4096: $processors processor" $command scenes/dam_break.json --threads 4096
+    done
+    OMP_NUM_THREADS=5000 expect 2 "OMP_NUM_THREADS 5000: " golden check tests/golden/scenes.json
+    expect 0 "warning: --threads $((processors + 1)): " check scenes/dam_break.json --threads $((processors + 1))
+    expect 0 "" check scenes/dam_break.json --threads $((processors + 1)) --quiet
+    [[ ! -s $folder/err ]] || complain "--quiet warned" check
     expect 2 "one word too many" check scenes/dam_break.json scenes/dam_break.json
     ;;
   scenes)
@@ -97,6 +132,34 @@ case $part in
       expect 2 'solver.backend is "cuda", but' golden check tests/golden/scenes.json --set solver.backend=cuda
     fi
     expect 2 "--set fluid.spacing=wide" check scenes/dam_break.json --set fluid.spacing=wide
+    # Every problem on a line of its own; none of them can write to the terminal.
+    scene_with $'{"fluid": {"spacng": 0.1},\n "look": {"stile": 1},\n "a\\u001b[2J": 1}'
+    expect 2 "scene.json:2:11: look.stile: unknown key" check "$folder/scene.json"
+    [[ $(grep -c "^spindrift: .*scene.json:[123]:" "$folder/err") == 3 ]] || complain "did not tell all three" check
+    grep -q $'\x1b' "$folder/out" "$folder/err" && complain "let control characters through" check
+    # For machines they are on stdout as well.
+    expect_json '{"source": "'"$folder"'/scene.json", "line": 1, "column": 12, "path": "fluid.spacng", "message": "unknown key; did you mean \"spacing\"?"}' \
+      check "$folder/scene.json" --json
+    expect_json '{"source": "'"$folder"'/scene.json", "line": 2, "column": 11, "path": "look.stile",' render "$folder/scene.json" --json
+    expect_json '{"message": "unknown option --frmes; did you mean \"--frames\"? (see spindrift --help)"}' \
+      render "$folder/scene.json" --json --frmes 3
+    expect_json 'there is no such file"}' golden check "$folder/no_list.json" --json
+    expect_json '"source": "--set fluid.spacing=1,wide", "path": "fluid.spacing",' \
+      sweep scenes/small_dam_break.json --set fluid.spacing=1,wide --json
+    expect_json 'there is no such file or folder' compare "$folder/a.png" "$folder/b.png" --json
+    ;;
+  stdin)
+    # A scene from the standard input is called so, and its meshes' paths start at the current folder.
+    "$program" check scenes/knot.json --json >"$folder/file.json" || complain "failed" check
+    (cd scenes && "$program" check - --json <knot.json >"$folder/stdin.json") || complain "failed" check -
+    diff <(sed 's/"name": "knot"/"name": "stdin"/' "$folder/file.json") "$folder/stdin.json" || complain "read another scene" check -
+    echo '{"fluid": {"spacng": 1}}' | "$program" check - >"$folder/out" 2>"$folder/err"
+    [[ $? == 2 ]] && grep -q "stdin:1:12: fluid.spacng" "$folder/err" || complain "gave no place" check -
+    echo '{"name": "piped", "fluid": {"spacing": 0.1}, "video": {"duration": 0.1}}' |
+      (mkdir "$folder/here" && cd "$folder/here" && "$program" simulate - --quiet) || complain "failed" simulate -
+    [[ -f $folder/here/out/piped/run.json ]] || complain "left no results" simulate -
+    yes 2>/dev/null | timeout 60 "$program" check - >"$folder/out" 2>"$folder/err"
+    [[ ${PIPESTATUS[1]} == 2 ]] && grep -q "stdin: longer than 32 MB" "$folder/err" || complain "read without end" check -
     ;;
   probes)
     scene_with '{

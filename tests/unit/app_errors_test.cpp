@@ -1,10 +1,13 @@
 // What a scene file's author is told when something is wrong with it.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <string>
 #include <vector>
 
 #include "app/nearest_name.hpp"
 #include "app/scene.hpp"
+#include "app/shown_text.hpp"
 
 using namespace spindrift::app;
 
@@ -190,8 +193,9 @@ const std::vector<Case> not_json{
     {"", {"bad.json:1:1"}},
     {"{\"fluid\": {\"spacing\": 0.1,}}", {"bad.json:1:27: not valid JSON: unexpected"}},
     {"{\n  \"fluid\": {}\n  \"domain\": {}\n}", {"bad.json:3:10: not valid JSON"}},
-    {"{\"fluid\": {}, \"fluid\": {}}", {"bad.json:1:15: fluid is given twice", "bad.json:1:2"}},
-    {"{\"fluid\": {\"spacing\": 1e999}}", {"bad.json", "too large"}},
+    {"{\"fluid\": {}, \"fluid\": {}}",
+     {"bad.json:1:15: \"fluid\" is given twice", "line 1, column 2"}},
+    {"{\"fluid\": {\"spacing\": 1e999}}", {"bad.json:1:23: 1e999 is too large"}},
     {"{} {}", {"bad.json:1:4"}},
 };
 
@@ -220,6 +224,171 @@ TEST_CASE("values that do not fit together are refused with their place") {
 
 TEST_CASE("text that is not JSON is refused with line and column") {
   check_all(not_json);
+}
+
+TEST_CASE("all unknown keys and wrong values are told at once, in the order of the file") {
+  CHECK(complaint(
+            "{\n"
+            "  \"video\": {\"width\": \"x\", \"quality\": 18},\n"
+            "  \"fluid\": {\"spacing\": -1, \"viscosty\": 1, \"volumes\": [{\"sphere\": {}}]},\n"
+            "  \"look\": {\"stile\": \"mesh\"}\n}") ==
+        "bad.json:2:13: video.width: expected a number (16 ... 8192 pixels), found \"x\"\n"
+        "bad.json:3:13: fluid.spacing: -1 is out of range; accepted: 1e-06 ... 100 m\n"
+        "bad.json:3:28: fluid.viscosty: unknown key; did you mean \"viscosity\"?\n"
+        "bad.json:3:56: fluid.volumes[0].sphere: \"center\" is missing (centre)\n"
+        "bad.json:3:56: fluid.volumes[0].sphere: \"radius\" is missing (radius)\n"
+        "bad.json:4:12: look.stile: unknown key; did you mean \"style\"?");
+}
+
+TEST_CASE("all values that do not fit together are told at once") {
+  CHECK(complaint(R"({"name": "a/b", "video": {"width": 641, "height": 361},
+    "solver": {"min_iterations": 70}, "domain": {"min": [0, 5, 0]}})") ==
+        "bad.json:1:2: name: \"a/b\" can't name a folder\n"
+        "bad.json:1:27: video.width: 641 is odd; accepted: even numbers\n"
+        "bad.json:1:41: video.height: 361 is odd; accepted: even numbers\n"
+        "bad.json:2:16: solver.min_iterations: 70 is above max_iterations (60)\n"
+        "bad.json:2:39: domain: min [0, 5, 0] is not below max [3.2, 2, 0.8] in y");
+}
+
+TEST_CASE("a mistyped key is not found missing as well") {
+  CHECK(complaint(R"({"obstacles": [{"sphere": {"center": [1,1,0.4], "radus": 0.1}}]})") ==
+        "bad.json:1:49: obstacles[0].sphere.radus: unknown key; did you mean \"radius\"?");
+  CHECK(complaint(R"({"obstacles": [{"spere": {"center": [1,1,0.4], "radius": 0.1}}]})") ==
+        "bad.json:1:17: obstacles[0].spere: unknown key; did you mean \"sphere\"?");
+}
+
+TEST_CASE("of very many problems twenty are told and the rest counted") {
+  std::string text = "{";
+  for (int k = 0; k < 50'000; ++k)
+    text += "\"unknown_key_" + std::to_string(k) + "\": 0, ";
+  const std::string message = complaint(text + "\"name\": 7}");
+  CHECK(std::count(message.begin(), message.end(), '\n') == 20);
+  CHECK(message.find("\nbad.json:1:") != message.npos);
+  CHECK(message.ends_with("\nand 49981 more"));
+}
+
+TEST_CASE("nesting has a limit, told with its place") {
+  const auto nested = [](int levels, const std::string& inner) {
+    return std::string(static_cast<std::size_t>(levels), '[') + inner +
+           std::string(static_cast<std::size_t>(levels), ']');
+  };
+  const std::string refused =
+      "nested too deep; at most 64 levels of lists and objects are accepted";
+  CHECK(complaint("{\"fluid\": " + nested(100'000, "") + "}") == "bad.json:1:74: " + refused);
+  CHECK(complaint("{\"fluid\": " + std::string(100'000, '[')) == "bad.json:1:74: " + refused);
+  CHECK(complaint("{\"fluid\": " + nested(64, "") + "}") == "bad.json:1:74: " + refused);
+  CHECK(complaint("{\"fluid\":\n" + nested(63, "") + "}")
+            .starts_with("bad.json:1:2: fluid: expected"));
+  CHECK(complaint("{}", {"fluid=" + nested(50'000, "")}).ends_with(refused));
+  std::string deep_key = "fluid";
+  for (int k = 0; k < 30'000; ++k)
+    deep_key += ".a";
+  CHECK(complaint("{}", {deep_key + "=1"})
+            .ends_with("nested too deep; at most 64 levels are accepted"));
+}
+
+TEST_CASE("a scene is read in time proportional to its length") {
+  const auto start = std::chrono::steady_clock::now();
+  std::string zeros = "0", obstacles, keys;
+  for (int k = 0; k < 200'000; ++k)
+    zeros += ",0";
+  for (int k = 0; k < 50'000; ++k)
+    obstacles += R"({"sphere": {"center": [1, 1, 0.4], "radius": 0.001}}, )";
+  for (int k = 0; k < 50'000; ++k)
+    keys += "\"key" + std::to_string(k) + "\": 1, ";
+  CHECK(complaint("{\"fluid\": [" + zeros + "]}").starts_with("bad.json:1:2: fluid: expected"));
+  CHECK(complaint("{\"obstacles\": [" + obstacles + "{}]}").starts_with("bad.json:1:2700016: "));
+  CHECK(complaint("{\"fluid\": {" + keys + "\"key0\": 1}}").find("\"key0\" is given twice") !=
+        std::string::npos);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  CHECK(spent.count() < 30);  // a second; minutes where places are counted from the start each time
+}
+
+TEST_CASE("a number beyond a double's range is refused with its place") {
+  const std::string too_large =
+      "1e309 is too large for a number; at most about 1.8e308 is accepted";
+  CHECK(complaint("{\"fluid\":\n {\"spacing\": /* m */ 1e309}}") == "bad.json:2:22: " + too_large);
+  CHECK(complaint("{}", {"fluid.spacing=1e309"}) == "--set fluid.spacing=1e309: " + too_large);
+  CHECK(
+      complaint("{\"domain\": {\"max\": [1, -1e400, 1]}}").starts_with("bad.json:1:24: -1e400 is"));
+}
+
+TEST_CASE("text that is no clean UTF-8 is read or refused in words") {
+  CHECK(complaint("\xef\xbb\xbf{\"fluid\": {\"viscosity\": 0.1}}").empty());  // a byte order mark
+  CHECK(complaint("\xef\xbb\xbf{\"fluids\": {}}").starts_with("bad.json:1:2: fluids"));
+  CHECK(complaint("{\"a\xff\": 1}").starts_with("bad.json:1:4: not valid JSON: invalid string"));
+  CHECK(complaint("{\"\u00e9\u00e9\": {}, \"fluids\": {}}").find("bad.json:1:12: fluids") !=
+        std::string::npos);
+  CHECK(complaint(std::string("{}\0", 3)).starts_with("bad.json:1:3: not valid JSON: a NUL"));
+  CHECK(complaint(std::string("{ // \0\n}", 9)).starts_with("bad.json:1:6: not valid JSON: a NUL"));
+  CHECK(complaint("\xff\xfe{").starts_with("bad.json:1:1: not valid JSON"));
+}
+
+TEST_CASE("long and hostile text is shortened and escaped in messages") {
+  const std::string huge(1'000'000, 'x');
+  for (const std::string& text :
+       {"{\"" + huge + "\": 1}", "{\"look\": {\"style\": \"" + huge + "\"}}",
+        "{\"name\": \"" + huge + "\"}", "{\"fluid\": " + huge + "}",
+        "{\"fluid\": [\"" + huge + "\"]}",
+        "{\"probes\": [{\"name\": \"" + huge + "?\", \"energy\": {}}]}"}) {
+    const std::string message = complaint(text);
+    INFO(message.substr(0, 400));
+    CHECK(message.size() > 10);
+    CHECK(message.size() < 500);
+  }
+  CHECK(complaint("{}", {"fluid.spacing=\"" + huge + "\""}).size() < 500);
+  for (const std::string text :
+       {R"({"a\n\u001b[31m\u202e": 1})", R"({"name": "a\n\u001b[31m\u202e"})",
+        R"({"look": {"style": "\n\u001b[31m\u202e"}})"}) {
+    const std::string message = complaint(text);
+    INFO(message);
+    CHECK(message.find_first_of("\n\x1b") == std::string::npos);
+    CHECK(message.find("\xe2\x80\xae") == std::string::npos);
+    CHECK(message.find("\\u001b[31m\\u202e") != std::string::npos);
+  }
+  CHECK(escaped("a\x80\xc3\xa9\x7f\t") == "a\\x80\xc3\xa9\\u007f\\t");
+  CHECK(shown("0123456789", 10) == "0123456789");
+  CHECK(shown("01234567890", 10) == "0123456...");
+  CHECK(shown("\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9", 5) == "\xc3\xa9\xc3\xa9...");
+}
+
+TEST_CASE("what can't name a folder is refused, also where the file's name is taken") {
+  const auto named = [](const std::string& file) -> std::string {
+    try {
+      parse_scene("{}", file);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(named("good.json").empty());
+  CHECK(named("a\nb.json")
+            .find("\"a\\nb\", the file's name, can't name a folder: it holds control "
+                  "characters; give a \"name\"") != std::string::npos);
+  CHECK(named(std::string(201, 'a') + ".json").find("it has 201 bytes; accepted: at most 200") !=
+        std::string::npos);
+  CHECK(complaint(R"({"name": "a\u0000b"})").find("\"a\\u0000b\" holds control characters") !=
+        std::string::npos);
+  CHECK(complaint("{\"name\": \"" + std::string(300, 'a') + "\"}").find("it has 300 bytes") !=
+        std::string::npos);
+  CHECK(complaint("{\"name\": \"" + std::string(200, 'a') + "\"}").empty());
+}
+
+TEST_CASE("a frame rate is a number or a fraction") {
+  check_all(
+      {{R"({"video": {"frames_per_second": "fast"}})",
+        {"bad.json:1:12: video.frames_per_second: \"fast\" is no frame rate", "30000/1001",
+         "1 ... 1000 1/s"}},
+       {R"({"video": {"frames_per_second": "30/0"}})", {"\"30/0\" is no frame rate"}},
+       {R"({"video": {"frames_per_second": "-30/-1"}})", {"is no frame rate"}},
+       {R"({"video": {"frames_per_second": "30/1x"}})", {"is no frame rate"}},
+       {R"({"video": {"frames_per_second": "99999999999999999999/1"}})", {"is no frame rate"}},
+       {R"({"video": {"frames_per_second": 29.97002997}})", {"29.97002997 is no frame rate"}},
+       {R"({"video": {"frames_per_second": "2001/2"}})", {"\"2001/2\" is out of range"}},
+       {R"({"video": {"frames_per_second": "1001/30000"}})",
+        {"is out of range; accepted: 1 ... 1000"}},
+       {R"({"video": {"frames_per_second": 0.5}})", {"0.5 is out of range"}},
+       {R"({"video": {"frames_per_second": true}})", {"expected a number", "found true"}}});
 }
 
 TEST_CASE("every beginning of a scene file is refused or read, never a crash") {

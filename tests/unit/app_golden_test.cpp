@@ -25,7 +25,11 @@ class Lists {
     try {
       read(text);
     } catch (const SceneError& error) {
-      return error.what();
+      std::string message = error.what();  // without the folder
+      const std::string folder = folder_ / "";
+      for (auto at = message.find(folder); at != message.npos; at = message.find(folder))
+        message.erase(at, folder.size());
+      return message;
     }
     return "";
   }
@@ -94,4 +98,23 @@ TEST_CASE("a wrong list is refused with the place and what is accepted") {
     for (const std::string& fragment : fragments)
       CHECK(message.find(fragment) != std::string::npos);
   }
+}
+
+TEST_CASE("all that is wrong with a list is told at once") {
+  const Lists lists;
+  CHECK(
+      lists.complaint(R"({"max_flip": 2, "goldens": [{"frames": [1.5], "hight": 3}]})") ==
+      "list.json:1:2: max_flip: 2 is out of range; accepted: 0 ... 1\n"
+      "list.json:1:29: goldens[0]: \"scene\" is missing (the scene file, from the list's folder)\n"
+      "list.json:1:41: goldens[0].frames[0]: 1.5 is not a whole number; accepted: 0 ... 1000000\n"
+      "list.json:1:47: goldens[0].hight: unknown key; did you mean \"height\"?");
+  const std::string message = lists.complaint(
+      R"({"goldens": [{"scene": "drop.json", "frames": [9], "name": "../a"},
+                      {"scene": "bad.json", "frames": [0], "set": ["fluid.spacing=0", "look.stile=1"]}]})");
+  INFO(message);
+  for (const char* part : {"goldens[0].name: \"../a\" can't name", "goldens[0].frames: 9 is beyond",
+                           "goldens[1].scene: ", "bad.json:1:12: fluid.spacng: unknown key",
+                           "goldens[1].set[0]: fluid.spacing: 0 is out of range",
+                           "goldens[1].set[1]: look.stile: unknown key"})
+    CHECK(message.find(part) != message.npos);
 }

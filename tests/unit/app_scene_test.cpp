@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/estimate.hpp"
 #include "app/scene.hpp"
+#include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
+#include "app/scene_warnings.hpp"
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
@@ -166,6 +169,97 @@ TEST_CASE("the hash knows what moves the liquid and nothing else") {
 TEST_CASE("the hash of the same settings is the same however they are written") {
   CHECK(simulation_hash(parse(R"({"fluid": {"spacing": 0.0250, "viscosity": 1e-2}})")) ==
         simulation_hash(parse("{}")));
+}
+
+TEST_CASE("a speed of sound that lets the liquid be compressed is warned of") {
+  const auto warnings = [](const std::string& speed, const std::string& type = "sph") {
+    return warnings_of(parse("{}", {"solver.type=" + type, "solver.speed_of_sound=" + speed}));
+  };
+  const float fastest = std::sqrt(2 * 9.81f * 2);  // down the whole domain
+  REQUIRE(warnings("0.01").size() == 1);
+  CHECK(warnings("0.01")[0].message.starts_with("0.01 m/s is less than ten times"));
+  CHECK(warnings("0.01")[0].message.find("from 62.6418 m/s on") != std::string::npos);
+  CHECK(warnings(std::to_string(9.9f * fastest)).size() == 1);
+  CHECK(warnings(std::to_string(10.1f * fastest)).empty());
+  CHECK(warnings("0").empty());
+  CHECK(warnings("0.01", "pcisph").empty());
+}
+
+TEST_CASE("a frame rate is exact") {
+  const auto video = [](const std::string& rate, double duration = 1001) {
+    return parse("{}",
+                 {"video.frames_per_second=" + rate, "video.duration=" + std::to_string(duration)})
+        .video;
+  };
+  CHECK(video("25").frames_per_second == FrameRate{25, 1});
+  CHECK(video("29.97").frames_per_second == FrameRate{2997, 100});
+  CHECK(video("\"60000/2002\"").frames_per_second == FrameRate{30000, 1001});
+  CHECK(video("30000/1001").frame_count() == 30000);
+  CHECK(video("30000/1001").frames_per_second.time_of(30000) == 1001.);
+  CHECK(video("24000/1001", 1.001).frame_count() == 24);
+  const auto rate_in_json = [](const std::string& rate) {
+    const Scene scene = parse("{}", {"video.frames_per_second=" + rate});
+    CHECK(parse(to_text(to_json(scene))).video.frames_per_second == scene.video.frames_per_second);
+    return to_json(scene)["video"]["frames_per_second"];
+  };
+  CHECK(rate_in_json("30") == 30);
+  CHECK(rate_in_json("30/1") == 30);
+  CHECK(rate_in_json("12.5") == "25/2");
+  CHECK(rate_in_json("30000/1001") == "30000/1001");
+  CHECK(hash_with({"video.frames_per_second=30/1"}) == hash_with({}));
+  CHECK(hash_with({"video.frames_per_second=30000/1001"}) != hash_with({}));
+}
+
+namespace {
+
+/// Checks of all values of a document that their place in the text is that of the key or the value.
+void check_places(const LocatedValue& value, const std::vector<std::string>& lines, int& checked) {
+  const auto rest = [&](const LocatedValue& part) {
+    const Place place = part.problem("").place;
+    REQUIRE(place.line >= 1);
+    REQUIRE(place.line <= lines.size());
+    REQUIRE(place.column <= lines[place.line - 1].size());
+    ++checked;
+    return lines[place.line - 1].substr(place.column - 1);
+  };
+  if (value.json().is_object()) {
+    value.for_each_member([&](const std::string& key, const LocatedValue& part) {
+      CHECK(rest(part).starts_with(nlohmann::json(key).dump()));
+      check_places(part, lines, checked);
+    });
+  }
+  for (std::size_t k = 0; value.json().is_array() && k < value.json().size(); ++k) {
+    const LocatedValue part = value[k];
+    const std::string text = rest(part);
+    if (part.json().is_number())
+      CHECK(std::stod(text) == part.json().get<double>());
+    else
+      CHECK(text[0] == part.json().dump()[0]);
+    check_places(part, lines, checked);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every value is found where it was written") {
+  std::vector<std::string> texts{
+      "[1,2 , -3e+2\t,[ [] ],{}/*,*/,\"a,]\\\"\",true , // ]\n null, 4// c\n,5/* \n */,6]",
+      "{\"a\\\"b\" : {\"c\\\\\":[0.5]} /* \" */ , // \"\n \"d\":1e3, \"e\": \"\\\"f\" }"};
+  for (const auto& file : shipped_scenes()) {
+    std::ifstream stream(file);
+    texts.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  }
+  for (const std::string& text : texts) {
+    INFO(text);
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+      lines.push_back(line);
+    const SceneDocument document(text, "a.json");
+    int checked = 0;
+    check_places(document.value(), lines, checked);
+    CHECK(checked >= 5);
+  }
 }
 
 TEST_CASE("scenes/scene.schema.json is what the tables give") {

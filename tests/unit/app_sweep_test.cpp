@@ -190,7 +190,33 @@ TEST_CASE("a wrong sweep file is refused with the place and what is accepted") {
   refused(
       R"({"scene": "a", "latin_hypercube": {"samples": 3, "ranges": {"a": {"min": 1, "max": 2, "scale": "log"}}}})",
       "unknown value \"log\"; accepted: linear, logarithmic");
-  refused(R"({"scene": "a", "times": ["now"]})", "times: expected a number");
+  refused(R"({"scene": "a", "times": ["now"]})", "times[0]: expected a number");
+}
+
+TEST_CASE("all that is wrong with a sweep is told at once, what several runs share once") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(
+      read_text(folder, R"({"scene": 3, "lst": [],
+                            "latin_hypercube": {"samples": 1.5, "ranges": {"a": {"min": 2, "max": 1, "hole": 1}}}})"),
+      Contains("sweep.json:1:2: scene: expected text") &&
+          Contains("sweep.json:1:14: lst: unknown key") &&
+          Contains("sweep.json:2:49: latin_hypercube.samples: 1.5 is out of range") &&
+          Contains("latin_hypercube.ranges.a.max: must be above min") &&
+          Contains("latin_hypercube.ranges.a.hole: unknown key; did you mean \"whole\"?"));
+  const std::string message = [] {
+    try {
+      plan_of({"fluid.viscosity=1,thick", "solver.cfl=0.3,7", "look.stile=mesh"});
+    } catch (const SceneError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  }();
+  INFO(message);
+  CHECK(std::count(message.begin(), message.end(), '\n') == 2);
+  CHECK(message.find("--set fluid.viscosity=1,thick: fluid.viscosity: expected a number") !=
+        message.npos);
+  CHECK(message.find("--set solver.cfl=0.3,7: solver.cfl: 7 is out of range") != message.npos);
+  CHECK(message.find("--set look.stile=mesh: look.stile: unknown key") != message.npos);
 }
 
 TEST_CASE("the sweeps that ship can be run") {

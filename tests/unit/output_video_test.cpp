@@ -268,7 +268,7 @@ TEST_CASE(
 
 TEST_CASE("A rate may be a fraction, as NTSC's, and a video lasts exactly as long") {
   const TemporaryFolder folder;
-  for (const output::FrameRate rate : {output::FrameRate(30000, 1001), {24000, 1001}, {1, 2}}) {
+  for (const FrameRate rate : {FrameRate(30000, 1001), {24000, 1001}, {1, 2}}) {
     CAPTURE(rate.numerator, rate.denominator);
     output::VideoSettings settings = small_video();
     settings.frames_per_second = rate;
