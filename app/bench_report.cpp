@@ -5,30 +5,31 @@
 #include <algorithm>
 #include <map>
 
+#include "app/bench_page.hpp"
 #include "app/report.hpp"
 
 namespace spindrift::app {
 namespace {
 
 using Rows = std::vector<const BenchRow*>;
-using Draw = std::function<std::string(const Plot&)>;
 
-std::string table_html(const Rows& rows) {
-  const auto columns = shown_columns(rows.front()->run.series);
-  std::string html = "<table>\n<tr>";
-  for (const ShownColumn& column : columns)
-    html += fmt::format("<th>{}</th>", html_escaped(column.title));
-  html += "</tr>\n";
-  for (const BenchRow* row : rows) {
+/// A section of the page but for its plots: its heading, what it is about, and its table.
+PageValues section_values(const BenchSection& section, const char* about) {
+  const auto shown = shown_columns(section.series);
+  std::vector<PageValues> columns, rows;
+  for (const ShownColumn& column : shown)
+    columns.push_back({{"column", column.title}});
+  for (const BenchRow* row : section.rows) {
+    std::vector<PageValues> cells;
+    for (const ShownColumn& column : shown)
+      cells.push_back({{"cell", column.text(*row)}});
     const bool front = row->on_mean_front || row->on_max_front;
-    html += !row->result.failure.empty() ? "<tr class=\"failed\">"
-            : front                      ? "<tr class=\"front\">"
-                                         : "<tr>";
-    for (const ShownColumn& column : columns)
-      html += fmt::format("<td>{}</td>", html_escaped(column.text(*row)));
-    html += "</tr>\n";
+    rows.push_back({{"class", !row->result.failure.empty() ? "failed"
+                              : front                      ? "front"
+                                                           : ""},
+                    {"cells", cells}});
   }
-  return html + "</table>\n";
+  return {{"title", section.title}, {"about", about}, {"columns", columns}, {"rows", rows}};
 }
 
 /// One series as a curve. Runs that did not reach their end are left out.
@@ -48,15 +49,7 @@ double threads(const BenchRow& row) {
   return row.run.threads;
 }
 
-std::string plane_html(const Rows& rows, const Draw& draw) {
-  return "<p>Every point is a run. Filled ones are on the Pareto front of their spacing (dashed): "
-         "none "
-         "is both faster and more accurate. Compression is that of the worst frame, measured from "
-         "the positions; in the table fronts are in bold.</p>\n" +
-         draw(plane_plot(rows, false)) + draw(plane_plot(rows, true)) + table_html(rows);
-}
-
-std::string particles_html(const Rows& rows, const Draw& draw) {
+std::vector<Plot> particles_plots(const Rows& rows) {
   const Plot time{.x_label = "particles",
                   .y_label = "ns per particle and step",
                   .log_x = true,
@@ -74,11 +67,10 @@ std::string particles_html(const Rows& rows, const Draw& draw) {
                     .y_label = "bytes per particle",
                     .log_x = true,
                     .curves = {simulation, process}};
-  return "<p>The built-in dam break, repeated side by side.</p>\n" + draw(time) + draw(memory) +
-         table_html(rows);
+  return {time, memory};
 }
 
-std::string threads_html(const Rows& rows, const Draw& draw) {
+std::vector<Plot> threads_plots(const Rows& rows) {
   const double one = nanoseconds_per_particle_step(rows.front()->result);
   const Curve measured = curve_of(rows, "measured", threads, [&](const BenchRow& row) {
     return one / nanoseconds_per_particle_step(row.result);
@@ -86,8 +78,33 @@ std::string threads_html(const Rows& rows, const Draw& draw) {
   Curve ideal = curve_of(rows, "ideal", threads, threads);
   ideal.marker = Marker::none;
   ideal.color = 7;
-  const Plot plot{.x_label = "threads", .y_label = "speed-up", .curves = {measured, ideal}};
-  return "<p>The same liquid on more and more threads.</p>\n" + draw(plot) + table_html(rows);
+  return {{.x_label = "threads", .y_label = "speed-up", .curves = {measured, ideal}}};
+}
+
+std::vector<Plot> plots_of(const BenchSection& section) {
+  switch (section.series) {
+    case BenchSeries::plane:
+      return {plane_plot(section.rows, false), plane_plot(section.rows, true)};
+    case BenchSeries::particles:
+      return particles_plots(section.rows);
+    case BenchSeries::threads:
+      return threads_plots(section.rows);
+  }
+  return {};
+}
+
+const char* text_about(BenchSeries series) {
+  switch (series) {
+    case BenchSeries::plane:
+      return "Every point is a run. Filled ones are on the Pareto front of their spacing (dashed): "
+             "none is both faster and more accurate. Compression is that of the worst frame, "
+             "measured from the positions; in the table fronts are in bold.";
+    case BenchSeries::particles:
+      return "The built-in dam break, repeated side by side.";
+    case BenchSeries::threads:
+      return "The same liquid on more and more threads.";
+  }
+  return "";
 }
 
 }  // namespace
@@ -131,16 +148,16 @@ Plot plane_plot(const Rows& rows, bool largest) {
   return plot;
 }
 
-std::string report_html(const std::vector<BenchRow>& rows, const Draw& draw) {
-  std::string html =
-      html_head("Spindrift benchmark") + fmt::format("<p>{}</p>\n", html_escaped(machine_text()));
+std::string report_html(const std::vector<BenchRow>& rows, const DrawPlot& draw) {
+  std::vector<PageValues> sections;
   for (const BenchSection& section : sections_of(rows)) {
-    html += fmt::format("<h2>{}</h2>\n", html_escaped(section.title));
-    html += section.series == BenchSeries::plane       ? plane_html(section.rows, draw)
-            : section.series == BenchSeries::particles ? particles_html(section.rows, draw)
-                                                       : threads_html(section.rows, draw);
+    std::vector<PageValues> plots;
+    for (const Plot& plot : plots_of(section))
+      plots.push_back(draw(plot));
+    sections.push_back(section_values(section, text_about(section.series)));
+    sections.back().emplace("plots", std::move(plots));
   }
-  return html + html_end;
+  return PageTemplate(bench_page).fill({{"machine", machine_text()}, {"sections", sections}});
 }
 
 }  // namespace spindrift::app

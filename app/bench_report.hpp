@@ -1,7 +1,6 @@
 // The benchmark's report: one HTML file with its plots in it.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,8 +13,7 @@ namespace spindrift::app {
 /// @param largest the largest compression instead of the mean one
 Plot plane_plot(const std::vector<const BenchRow*>& rows, bool largest);
 
-/// The whole page. @param draw makes an <svg> element of a plot, or what is to stand in its place
-std::string report_html(const std::vector<BenchRow>& rows,
-                        const std::function<std::string(const Plot&)>& draw);
+/// The whole page.
+std::string report_html(const std::vector<BenchRow>& rows, const DrawPlot& draw);
 
 }  // namespace spindrift::app

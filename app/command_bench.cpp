@@ -44,13 +44,13 @@ std::vector<BenchRow> run_all(const std::vector<BenchRun>& runs, bool quiet) {
 
 void print_tables(const std::vector<BenchRow>& rows) {
   for (const BenchSection& section : sections_of(rows)) {
-    const auto columns = shown_columns(section.series);
+    const auto shown = shown_columns(section.series);
     fmt::print("{}\n", section.title);
-    for (const ShownColumn& column : columns)
+    for (const ShownColumn& column : shown)
       fmt::print(" {:>{}}", column.title, column.width);
     for (const BenchRow* row : section.rows) {
       fmt::print("\n");
-      for (const ShownColumn& column : columns)
+      for (const ShownColumn& column : shown)
         fmt::print(" {:>{}}", column.text(*row), column.width);
     }
     fmt::print("\n\n");

@@ -106,9 +106,12 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
     const compare::Comparison pair = compare::compare(p->image, q->image, options.threshold);
     const compare::Metrics metrics = pair.tally.metrics();
     comparison.all.add(pair.tally);
-    comparison.pairs.push_back({p->name, metrics, broken_limits(metrics, options.limits), {}});
+    const fs::path difference =
+        fs::path("differences") / fs::path(p->name).replace_extension(".png");
+    comparison.pairs.push_back(
+        {p->name, metrics, broken_limits(metrics, options.limits), difference});
     show_worst(comparison.pairs, *p, *q, pair.flip, options.shown_pairs);
-    output::write_png(differences / fs::path(p->name).replace_extension(".png"),
+    output::write_png(options.output / difference,
                       compare::magma(pair.flip, p->image.width, p->image.height));
   }
 }

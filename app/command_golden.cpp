@@ -119,10 +119,9 @@ class GoldenRun {
     const Limits limits{.max_flip = golden.max_flip.value_or(list_.max_flip),
                         .max_changed = golden.max_changed.value_or(list_.max_changed)};
     report_.all.add(pair.tally);
-    report_.pairs.push_back({golden.name + "/" + file.filename().string(),
-                             metrics,
+    report_.pairs.push_back({golden.name + "/" + file.filename().string(), metrics,
                              broken_limits(metrics, limits),
-                             {}});
+                             fs::path(golden.name) / "difference" / file.filename()});
     if (!report_.pairs.back().broken.empty())
       keep(golden, file, reference, result, pair.flip);
   }
@@ -131,12 +130,12 @@ class GoldenRun {
   void keep(const Golden& golden, const fs::path& file, const Image& reference, const Image& result,
             const std::vector<float>& flip) {
     report_.pairs.back().shown = shown_pair(reference, result, flip);
-    const auto write = [&](const char* folder, const Image& image) {
-      fs::create_directories(options_.output / golden.name / folder);
-      output::write_png(options_.output / golden.name / folder / file.filename(), image);
+    const auto write = [&](const fs::path& name, const Image& image) {
+      fs::create_directories((options_.output / name).parent_path());
+      output::write_png(options_.output / name, image);
     };
-    write("reference", reference);
-    write("difference", compare::magma(flip, result.width, result.height));
+    write(fs::path(golden.name) / "reference" / file.filename(), reference);
+    write(report_.pairs.back().difference, compare::magma(flip, result.width, result.height));
   }
 
   void unusable(const fs::path& file, const std::string& reason) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -24,10 +23,9 @@ struct Limits {
 /// The limits that a pair is beyond, each as a sentence.
 std::vector<std::string> broken_limits(const compare::Metrics& metrics, const Limits& limits);
 
-/// A pair's pictures and their difference as PNG files, in text that a page can hold ("data:"
-/// URIs).
+/// A pair's pictures and their difference as PNG files, held in the page itself.
 struct ShownPair {
-  std::string a, b, flip;
+  Url a, b, flip;
 };
 
 ShownPair shown_pair(const Image& a, const Image& b, const std::vector<float>& flip);
@@ -35,8 +33,9 @@ ShownPair shown_pair(const Image& a, const Image& b, const std::vector<float>& f
 struct ComparedPair {
   std::string name;
   compare::Metrics metrics;
-  std::vector<std::string> broken;  ///< limits
-  std::optional<ShownPair> shown;   ///< in the report
+  std::vector<std::string> broken;      ///< limits
+  std::filesystem::path difference;     ///< picture of FLIP, from the report's folder
+  std::optional<ShownPair> shown = {};  ///< in the report
 };
 
 struct ComparisonReport {
@@ -65,10 +64,8 @@ std::string comparison_text(const ComparisonReport& comparison);
 /// beyond their limits.
 std::string broken_text(const ComparisonReport& comparison);
 
-/// The whole page: it needs no other file. @param draw makes an <svg> element of a plot, or what is
-/// to stand in its place
-std::string comparison_html(const ComparisonReport& comparison,
-                            const std::function<std::string(const Plot&)>& draw);
+/// The whole page: what it shows needs no other file.
+std::string comparison_html(const ComparisonReport& comparison, const DrawPlot& draw);
 
 /// Removes the PNG files of a folder, if there is one: what an earlier comparison left.
 void remove_pictures(const std::filesystem::path& folder);

@@ -11,12 +11,17 @@
 namespace spindrift::app {
 namespace {
 
-/// In single quotes gnuplot takes everything as it stands, but for the quote itself.
+/// In single quotes gnuplot takes everything as it stands, but for the quote itself and for control
+/// characters, of which a line's end would end the command; they become spaces.
 std::string quoted(const std::string& text) {
-  std::string doubled;
-  for (const char c : text)
-    doubled.append(c == '\'' ? 2 : 1, c);
-  return fmt::format("'{}'", doubled);
+  std::string taken;
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      taken += ' ';
+    else
+      taken.append(c == '\'' ? 2 : 1, c);
+  }
+  return fmt::format("'{}'", taken);
 }
 
 /// How gnuplot draws a curve, by its own numbers for the shapes of points.
@@ -81,55 +86,28 @@ std::string draw_svg(const Plot& plot) {
   return result.out.substr(begin, end + 6 - begin);
 }
 
-std::string PlotDrawer::operator()(const Plot& plot) {
+PageValues shown_plot(Url picture, const Plot& plot) {
+  return {{"drawn", std::vector<PageValues>{{{"picture", std::move(picture)},
+                                             {"label", plot.y_label + " over " + plot.x_label}}}},
+          {"missing", std::vector<PageValues>{}}};
+}
+
+PageValues missing_plot(const std::string& sentence) {
+  return {{"drawn", std::vector<PageValues>{}},
+          {"missing", std::vector<PageValues>{{{"sentence", sentence}}}}};
+}
+
+PageValues PlotDrawer::operator()(const Plot& plot) {
   if (std::all_of(plot.curves.begin(), plot.curves.end(),
                   [](const Curve& curve) { return curve.points.empty(); }))
-    return "<p>No plot here: there is nothing in it.</p>\n";
+    return missing_plot("No plot here: there is nothing in it.");
   try {
     if (failure_.empty())
-      return draw_svg(plot) + "\n";
+      return shown_plot(Url::of_content("image/svg+xml", draw_svg(plot)), plot);
   } catch (const std::exception& error) {
     failure_ = error.what();
   }
-  return "<p>No plot here: it could not be drawn.</p>\n";
-}
-
-std::string html_head(const std::string& title) {
-  constexpr const char* style = R"(<style>
-body { font: 15px/1.4 sans-serif; max-width: 80em; margin: 2em auto; padding: 0 1em; }
-table { border-collapse: collapse; font-size: 13px; }
-th, td { padding: 0.15em 0.6em; text-align: right; border-bottom: 1px solid #ddd; }
-th { border-bottom: 2px solid #888; }
-tr.front { font-weight: bold; }
-tr.failed { color: #a00; }
-svg { max-width: 100%; height: auto; }
-</style>
-)";
-  const std::string text = html_escaped(title);
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n{}"
-      "</head>\n<body>\n<h1>{}</h1>\n",
-      text, style, text);
-}
-
-std::string html_escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
+  return missing_plot("No plot here: it could not be drawn.");
 }
 
 }  // namespace spindrift::app

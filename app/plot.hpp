@@ -1,9 +1,12 @@
-// Plots as SVG pictures, drawn by gnuplot, and the HTML pages they stand in.
+// Plots as SVG pictures, drawn by gnuplot.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "app/page.hpp"
 
 namespace spindrift::app {
 
@@ -28,17 +31,25 @@ struct Plot {
   std::vector<Curve> curves = {};
 };
 
-/// What gnuplot is told. Curves without points are left out; texts must not hold a line's end.
+/// What gnuplot is told. Curves without points are left out.
 std::string gnuplot_script(const Plot& plot);
 
-/// The plot as an <svg> element. @throws std::runtime_error when gnuplot is missing or fails
+/// The plot as an SVG document. @throws std::runtime_error when gnuplot is missing or fails
 std::string draw_svg(const Plot& plot);
+
+/// Makes of a plot what stands for it on a page.
+using DrawPlot = std::function<PageValues(const Plot&)>;
+
+/// A plot's picture on a page, or a sentence in its place: a record of the list that a template's
+/// {{#plots}} stands for.
+PageValues shown_plot(Url picture, const Plot& plot);
+PageValues missing_plot(const std::string& sentence);
 
 /// Draws plots into a report, which is left without them from the first one that fails on.
 class PlotDrawer {
  public:
-  /// The plot as an <svg> element, or a sentence in its place.
-  std::string operator()(const Plot& plot);
+  /// The plot as a picture in the page (where no script in it would run), or a sentence.
+  PageValues operator()(const Plot& plot);
 
   /// Why plots are missing; empty: none is.
   const std::string& failure() const { return failure_; }
@@ -46,12 +57,5 @@ class PlotDrawer {
  private:
   std::string failure_;
 };
-
-/// A page's beginning, up to its title as a heading.
-std::string html_head(const std::string& title);
-inline constexpr const char* html_end = "</body>\n</html>\n";
-
-/// Text as it stands, within HTML.
-std::string html_escaped(const std::string& text);
 
 }  // namespace spindrift::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/probes_page.hpp"
 #include "app/scene_fields.hpp"
 #include "app/scene_values.hpp"
 
@@ -48,9 +49,8 @@ Curve curve_of(const Readings& readings, std::size_t column, const std::string& 
 }
 
 /// The plots of a probe whose first column is `first`.
-std::string probe_html(const std::vector<sim::ProbeColumn>& columns, std::size_t first,
-                       const Readings& readings,
-                       const std::function<std::string(const Plot&)>& draw) {
+std::vector<PageValues> plots_of(const std::vector<sim::ProbeColumn>& columns, std::size_t first,
+                                 const Readings& readings, const DrawPlot& draw) {
   std::vector<Plot> plots;
   std::string_view unit;
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -62,13 +62,13 @@ std::string probe_html(const std::vector<sim::ProbeColumn>& columns, std::size_t
     curve.color = static_cast<int>(plots.back().curves.size());
     plots.back().curves.push_back(std::move(curve));
   }
-  std::string html;
+  std::vector<PageValues> shown;
   for (const Plot& plot : plots) {
     const bool empty = std::all_of(plot.curves.begin(), plot.curves.end(),
                                    [](const Curve& curve) { return curve.points.empty(); });
-    html += empty ? "<p>There was nothing to measure.</p>\n" : draw(plot);
+    shown.push_back(empty ? missing_plot("There was nothing to measure.") : draw(plot));
   }
-  return html;
+  return shown;
 }
 
 }  // namespace
@@ -104,22 +104,22 @@ std::string probes_csv(const Scene& scene, const Readings& readings) {
   return text + "\n";
 }
 
-std::string probes_html(const Scene& scene, const Readings& readings,
-                        const std::function<std::string(const Plot&)>& draw) {
-  std::string html = html_head("Probes of " + scene.name);
+std::string probes_html(const Scene& scene, const Readings& readings, const DrawPlot& draw) {
+  std::vector<PageValues> probes;
   std::size_t first = 0;
   for (const sim::Probe& probe : scene.probes) {
     const auto columns = sim::probe_columns(probe);
-    const std::size_t kind = probe.quantity.index();
+    std::string quantity(alternative_names<sim::ProbeQuantity>[probe.quantity.index()]);
     const std::string settings =
-        std::visit([](const auto& quantity) { return json_of(quantity).dump(); }, probe.quantity);
-    html += fmt::format("<h2>{}</h2>\n<p>{}{}</p>\n", html_escaped(probe.name),
-                        alternative_names<sim::ProbeQuantity>[kind],
-                        settings == "{}" ? "" : fmt::format(" {}", html_escaped(settings)));
-    html += probe_html(columns, first, readings, draw);
+        std::visit([](const auto& one) { return json_of(one).dump(); }, probe.quantity);
+    if (settings != "{}")
+      quantity += " " + settings;
+    probes.push_back({{"name", probe.name},
+                      {"quantity", quantity},
+                      {"plots", plots_of(columns, first, readings, draw)}});
     first += columns.size();
   }
-  return html + html_end;
+  return PageTemplate(probes_page).fill({{"scene", scene.name}, {"probes", probes}});
 }
 
 }  // namespace spindrift::app

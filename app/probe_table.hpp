@@ -1,7 +1,6 @@
 // What a scene's probes read in the course of a run, as a table and as a report.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,7 @@ std::vector<double> reading_times(double begin, double end, double rate);
 std::string probes_csv(const Scene& scene, const std::vector<ProbeReading>& readings);
 
 /// A page with a plot over time of every probe, one for each unit.
-/// @param draw makes an <svg> element of a plot, or what is to stand in its place
 std::string probes_html(const Scene& scene, const std::vector<ProbeReading>& readings,
-                        const std::function<std::string(const Plot&)>& draw);
+                        const DrawPlot& draw);
 
 }  // namespace spindrift::app

@@ -26,10 +26,10 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::optional<int> cuda_device)
       renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
                 gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}, cuda_device),
       obstacles_(scene.simulation.obstacles) {
-  std::vector<double> times;  // of all pictures, whichever are wanted now
+  std::vector<double> instants;  // of all pictures, whichever are wanted now
   for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)
-    times.push_back(scene.video.frames_per_second.time_of(k));
-  reach_ = obstacles_.reach(times);
+    instants.push_back(scene.video.frames_per_second.time_of(k));
+  reach_ = obstacles_.reach(instants);
   if (!obstacles_.empty())
     renderer_.set_obstacles(obstacles_.at(0), reach_);
 }

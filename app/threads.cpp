@@ -8,13 +8,16 @@
 #include <system_error>
 #include <vector>
 
+#include "render/shortage.hpp"
+
 namespace spindrift::app {
 namespace {
 
-constexpr const char* advice =
-    "more than the system lets this process have (ulimit -u, ulimit -v for their stacks, or a "
-    "container's limit); "
-    "raise that, or ask for fewer with --threads";
+/// Why there are no more threads, while those that there are still run.
+std::string why_no_more(const std::system_error& error) {
+  constexpr std::size_t stack_bytes = std::size_t{8} << 20;  // what a thread takes, unless told
+  return shortage(stack_bytes).value_or(error.code().message());
+}
 
 }  // namespace
 
@@ -22,29 +25,28 @@ std::thread started_thread(std::function<void()> f) {
   try {
     return std::thread(std::move(f));
   } catch (const std::system_error& error) {
-    throw std::runtime_error(
-        fmt::format("no thread could be started ({}): one is {}", error.code().message(), advice));
+    throw std::runtime_error(fmt::format("no thread could be started: {}", why_no_more(error)));
   }
 }
 
 void require_threads(int count) {
   std::latch all_begun(1);
   std::vector<std::thread> threads;
-  std::error_code failure;
+  std::string failure;
   threads.reserve(static_cast<std::size_t>(count));
   try {
     while (static_cast<int>(threads.size()) < count)
       threads.emplace_back([&] { all_begun.wait(); });
   } catch (const std::system_error& error) {
-    failure = error.code();
+    failure = why_no_more(error);
   }
   all_begun.count_down();
   for (std::thread& thread : threads)
     thread.join();
-  if (failure)
-    throw std::runtime_error(
-        fmt::format("{} threads are needed and {} could be started ({}): that is {}", count,
-                    threads.size(), failure.message(), advice));
+  if (!failure.empty())
+    throw std::runtime_error(fmt::format(
+        "{} threads are needed and {} could be started: {}; ask for fewer with --threads", count,
+        threads.size(), failure));
 }
 
 int threads_of_run(int threads) {

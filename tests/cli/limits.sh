@@ -53,7 +53,8 @@ under "ulimit -v 600000" 2 "of memory, and there are 614 MB at most" "${large[@]
 [[ ! -e $folder/large ]] || fail "it began"
 under true 2 "of disk space" "${large[@]}" --set video.duration=1000 --set video.frames_per_second=1000
 [[ ! -e $folder/large ]] || fail "it began"
-under true 0 "threads on $(nproc) processors wait for each other" "${run[@]}" --threads $(($(nproc) + 1))
+processors=$(env -u OMP_NUM_THREADS nproc)
+under true 0 "threads on $processors processors wait for each other" "${run[@]}" --threads $((processors + 1))
 
 # What can't be printed is told; nobody who reads is no reason to complain.
 "$program" check "$folder/scene.json" >/dev/full 2>"$folder/err"
@@ -88,6 +89,23 @@ exec 9>&-
 (($? == 2)) || fail "a folder that isn't there is no error"
 "$program" cache --older-than 3 >"$folder/out" 2>"$folder/err"
 (($? == 2)) && grep -q "as in 30d" "$folder/err" || fail "an age without a unit is no error"
+
+# Whatever writes in a folder is refused where somebody is at work.
+echo '{"goldens": [{"scene": "scene.json", "frames": [0]}]}' >"$folder/golden.json"
+mkdir "$folder/locked"
+exec 9>"$folder/locked/.lock"
+flock 9
+picture=$folder/run/frames/0000.png
+for command in "render $folder/scene.json" "simulate $folder/scene.json" "bench $folder/scene.json --quick" \
+  "golden check $folder/golden.json" "compare $picture $picture" "sweep $folder/scene.json --set fluid.viscosity=1,2"; do
+  "$program" $command -o "$folder/locked" >"$folder/out" 2>"$folder/err" </dev/null
+  code=$?
+  ((code == 3)) || fail "$command returned $code in a folder that is in use"
+  grep -q "locked: another process is at work here; wait for it, or give another folder" "$folder/err" ||
+    fail "$command did not say that the folder is in use"
+  [[ $(ls -A "$folder/locked") == .lock ]] || fail "$command wrote in a folder that is in use"
+done
+exec 9>&-
 
 # Two scene files of one name in one folder.
 mkdir "$folder/other" "$folder/here"

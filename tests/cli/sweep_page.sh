@@ -1,74 +1,18 @@
 #!/usr/bin/env bash
 # The page of a sweep in a browser without a display: it opens from disk, says nothing on the console, asks nothing of a
-# network; tables sort, points are chosen by a click, the curtain moves, and videos keep in step.
+# network; tables sort, points are chosen by a click, the curtain moves, and videos, of the best quality too, keep in step.
 # Usage: sweep_page.sh PROGRAM, from the source tree's root. Returns 1 if a check fails, 77 without a browser.
 set -uo pipefail
 program=$(readlink -f "$1")
-for tool in chromium chromedriver; do
-  command -v $tool >/dev/null ||
-    { echo "skipped: $tool is not installed (apt-get install chromium chromium-driver)"; exit 77; }
-done
 folder=$(mktemp -d)
-driver=
-finish() {
-  [[ -n ${session-} ]] && request DELETE "/session/$session" >/dev/null 2>&1
-  [[ -n $driver ]] && kill "$driver" 2>/dev/null && wait "$driver" 2>/dev/null
-  rm -rf "$folder"
-}
-trap finish EXIT
-fail() { echo "FAILED: $*"; exit 1; }
-
-# request METHOD PATH [BODY]: prints the driver's answer (WebDriver, www.w3.org/TR/webdriver2).
-request() {
-  local body=${3-} line length=0
-  exec 3<>"/dev/tcp/127.0.0.1/$port" || return 1
-  printf '%s %s HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: %d\r\n\r\n%s' \
-    "$1" "$2" "$(printf %s "$body" | wc -c)" "$body" >&3
-  while IFS= read -r line <&3 && [[ $line != $'\r' ]]; do
-    [[ ${line,,} == content-length:* ]] && length=${line#*:}
-  done
-  head -c "$((${length//[$' \r']/}))" <&3
-  exec 3>&-
-}
-
-# js SCRIPT: what it returns; it must do without double quotes and backslashes.
-js() {
-  request POST "/session/$session/execute/sync" "{\"script\": \"$(tr '\n' ' ' <<<"$1")\", \"args\": []}" |
-    sed 's/^{"value":"\?//; s/"\?}$//'
-}
-
-# expect WANTED SCRIPT: tries for some seconds.
-expect() {
-  local found try
-  for try in $(seq 100); do
-    found=$(js "$2")
-    [[ $found == "$1" ]] && return
-    sleep 0.1
-  done
-  fail "found \"$found\" instead of \"$1\": $2"
-}
+. "$(dirname "$0")/browser.sh"
 
 "$program" sweep scenes/small_dam_break.json --set fluid.spacing=0.06 --set video.duration=0.4 --set video.width=160 \
-  --set video.height=96 --set fluid.viscosity=0.1,20 --set surface.smoothing=0,30 --quiet \
+  --set video.height=96 --set fluid.viscosity=0.1,20 --set surface.smoothing=0,30 --set video.quality=0 --quiet \
   --reference viscosity=0.1,smoothing=0 -o "$folder/a sweep" </dev/null || fail "the sweep returned $?"
 
-chromedriver --port=0 >"$folder/driver.log" 2>&1 &
-driver=$!
-port=
-for _ in $(seq 100); do
-  port=$(sed -n 's/.*successfully on port \([0-9]*\).*/\1/p' "$folder/driver.log")
-  [[ -n $port ]] && break
-  sleep 0.1
-done
-[[ -n $port ]] || fail "chromedriver did not start"
-sandbox=
-((EUID == 0)) && sandbox=', "--no-sandbox"'
-# Driver and browser talk through a pipe: a fresh machine without /etc/hosts does not know localhost.
-session=$(request POST /session '{"capabilities": {"alwaysMatch": {"goog:loggingPrefs": {"browser": "ALL"},
-  "goog:chromeOptions": {"args": ["--headless=new", "--remote-debugging-pipe", "--disable-gpu", "--window-size=1200,900"'"$sandbox"']}}}}' |
-  grep -o '"sessionId":"[^"]*"' | cut -d '"' -f 4)
-[[ -n $session ]] || fail "chromium did not start"
-request POST "/session/$session/url" "{\"url\": \"file://$folder/a%20sweep/report.html\"}" >/dev/null
+start_browser
+open_page "$folder/a sweep/report.html"
 
 expect "Sweep of small_dam_break.json" "return document.querySelector('h1').textContent"
 expect 4 "return String(document.querySelectorAll('#videos .run').length)"
@@ -132,7 +76,7 @@ expect moving "return state.time !== 0.2 && [...document.querySelectorAll('#vide
 js "document.getElementById('play').click()" >/dev/null
 
 # Nothing on the console, and nothing but files.
-log=$(request POST "/session/$session/se/log" '{"type": "browser"}')
+log=$(browser_log)
 [[ $log == '{"value":[]}' ]] || fail "the console says: $log"
 expect "" "return performance.getEntriesByType('resource').map((e) => e.name)
   .filter((name) => !name.startsWith('file://')).join(' ')"

@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "app/comparison.hpp"
 #include "output_support.hpp"
+#include "png_support.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
 
@@ -146,6 +147,10 @@ TEST_CASE("what can't be compared is refused with its name and its sizes") {
   fs::create_directories(folder / "empty");
   output::write_png(folder / "small.png", waves(32, 18, 0));
   std::ofstream(folder / "text.png") << "no picture";
+  std::ofstream(folder / "glass.png", std::ios::binary)
+      << one_row_png(PngColour::rgb_alpha, 8, 1, "\1\2\3\x80");
+  std::ofstream(folder / "deep.png", std::ios::binary)
+      << one_row_png(PngColour::rgb, 16, 1, "\1\2\3\4\5\6");
   const auto complaint = [&](const char* a, const char* b) {
     try {
       run_compare(options_for(folder / a, folder / b, folder));
@@ -162,4 +167,6 @@ TEST_CASE("what can't be compared is refused with its name and its sizes") {
   CHECK_THAT(complaint("a", "empty"), Contains("empty: there are no PNG files"));
   CHECK_THAT(complaint("text.png", "small.png"), Contains("text.png") && Contains("not a PNG"));
   CHECK_THAT(complaint("a/0000.png", "a"), Contains("0000.png ends after 1 picture,"));
+  CHECK_THAT(complaint("glass.png", "glass.png"), Contains("glass.png: it is transparent"));
+  CHECK_THAT(complaint("deep.png", "deep.png"), Contains("deep.png: it has 16-bit samples"));
 }

@@ -99,7 +99,7 @@ TEST_CASE("the report plots every probe, a unit a plot, and keeps the peaks of m
   std::vector<Plot> plots;
   const std::string html = probes_html(scene, readings, [&](const Plot& plot) {
     plots.push_back(plot);
-    return "[plot " + std::to_string(plots.size()) + "]";
+    return missing_plot("plot " + std::to_string(plots.size()));
   });
   REQUIRE(plots.size() == 5);  // pressure, front, energies, volume and its bounds
   CHECK(plots[0].y_label == "Pa");

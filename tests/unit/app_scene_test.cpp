@@ -303,7 +303,7 @@ TEST_CASE("a nozzle in a wall that is too thin is refused with the thickness tha
     "domain": {"min": [0, 0, 0], "max": [1.2, 0.5, 1.2], "open": ["+y"]},
     "obstacles": [{"box": {"min": [0.45, 0, 0.45], "max": [0.75, 0.25, 0.75]}}]})";
   CHECK_THROWS_WITH(parse(text), Catch::Contains("fluid.emitters[0].disc") &&
-                                     Catch::Contains("1.75 spacings (0.0875 m) are needed"));
+                                     Catch::Contains("1.5 spacings (0.075 m) are needed"));
   CHECK_NOTHROW(parse(text, {"fluid.spacing=0.025"}));
   CHECK_NOTHROW(parse(
       text, {"obstacles.0.box.min=[0.425,0,0.425]", "obstacles.0.box.max=[0.775,0.25,0.775]"}));

@@ -72,11 +72,11 @@ TEST_CASE("all volumes of a scene are filled with particles of one size, each ne
 
 TEST_CASE("round shapes hold the volume that is asked for") {
   const float d = 0.05f;
-  const Shape shape = GENERATE(Shape(Sphere{{0, 0, 0}, 0.21f}), Shape(Sphere{{0, 0, 0}, 0.245f}),
-                               Shape(Sphere{{0, 0, 0}, 0.3f}),
-                               Shape(Cylinder{{0, 0, 0}, {0, 0.52f, 0}, 0.23f}),
-                               Shape(Cylinder{{0, 0, 0}, {0.5f, 0, 0}, 0.3f}),
-                               Shape(Capsule{{0, 0, 0}, {0.3f, 0.2f, 0}, 0.22f}));
+  const Shape shape =
+      GENERATE(Shape(Sphere{{0, 0, 0}, 0.21f}), Shape(Sphere{{0, 0, 0}, 0.245f}),
+               Shape(Sphere{{0, 0, 0}, 0.3f}), Shape(Cylinder{{0, 0, 0}, {0, 0.52f, 0}, 0.23f}),
+               Shape(Cylinder{{0, 0, 0}, {0.5f, 0, 0}, 0.3f}),
+               Shape(Capsule{{0, 0, 0}, {0.3f, 0.2f, 0}, 0.22f}));
   Settings s;
   s.fluid.spacing = d;
   s.domain = {{-1, -1, -1}, {1, 1, 1}};

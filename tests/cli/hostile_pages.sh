@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# Names, paths and values that would be script if a page took them as more than text go through every page, in a browser:
+# nothing runs, and the page says them letter by letter.
+# Usage: hostile_pages.sh PROGRAM, from the source tree's root. Returns 1 if a check fails, 77 without a browser.
+set -uo pipefail
+program=$(readlink -f "$1")
+folder=$(mktemp -d)
+. "$(dirname "$0")/browser.sh"
+
+names=('{{data}}' '{{#pairs}}' '<img src=x onerror=window.hit=1>' '"><svg onload=window.hit=1>' '<!--' 'a&lt;b'
+  "' onmouseover='window.hit=1" '${window.hit=1}' 'javascript:window.hit=1')
+# A path can hold a slash, and so the end of an element.
+base="$folder/<"/'script><script>window.hit=1<'/"script><img src=x onerror=window.hit=1>"
+mkdir -p "$base"
+small=(--set fluid.spacing=0.1 --set video.duration=0.1 --set video.width=32 --set video.height=32)
+scene='{
+  "fluid": {"spacing": 0.1, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.4, 0.8, 0.4]}}]},
+  "domain": {"min": [0, 0, 0], "max": [0.8, 1.2, 0.4]},
+  "probes": [{"name": "tap", "pressure": {"point": [0.2, 0, 0.2]}}],
+  "solver": {"speed_of_sound": 40},
+  "video": {"duration": 0.1, "frames_per_second": 20, "width": 32, "height": 32}
+}'
+
+# check_page FILE TEXT...: the page shows the texts; nothing in it has run, not even when everything is pointed at.
+check_page() {
+  local file=$1 text
+  shift
+  [[ -s $file ]] || fail "there is no $file"
+  open_page "$file"
+  expect complete "return document.readyState"
+  for text; do
+    expect shown "return document.documentElement.textContent.includes(atob('$(printf %s "$text" | base64 -w 0)')) ?
+      'shown' : document.body.textContent.slice(0, 300)"
+  done
+  js "for (const node of document.querySelectorAll('*'))
+      for (const kind of ['mouseover', 'click', 'focus'])
+        if (!(node instanceof HTMLAnchorElement)) node.dispatchEvent(new MouseEvent(kind, {bubbles: true}))" >/dev/null
+  sleep 0.3
+  expect undefined "return String(window.hit)"
+  expect "" "return [...document.querySelectorAll('.plot, .scale, .pair img')].filter((i) => i.naturalWidth === 0)
+    .map((i) => i.src.slice(0, 40)).join(' ')"
+  expect "" "return [...document.querySelectorAll('*')].flatMap((node) => [...node.attributes])
+    .filter((a) => a.name.startsWith('on') || a.value.startsWith('javascript:')).map((a) => a.name).join(' ')"
+  expect "" "return [...document.querySelectorAll('a')].map((a) => a.protocol).filter((p) => p !== 'file:').join(' ')"
+}
+
+start_browser
+
+# Pictures under all names, in folders of such names.
+"$program" render scenes/dam_break.json "${small[@]}" --quiet -o "$folder/plain" || fail "render returned $?"
+mkdir "$base/a" "$base/b"
+for name in "${names[@]}"; do
+  cp "$folder/plain/frames/0000.png" "$base/a/$name.png"
+  cp "$folder/plain/frames/0002.png" "$base/b/$name.png"
+done
+"$program" compare "$base/a" "$base/b" --show 20 --max-flip 0 --quiet -o "$base/compared" 2>/dev/null
+[[ $? == 1 ]] || fail "compare found no difference"
+check_page "$base/compared/compare.html" "${names[@]}" "$base/a" "$base/b"
+expect "${#names[@]} 5" "return [document.querySelectorAll('.pair').length,
+  document.querySelector('.pair').querySelectorAll('img').length + document.querySelectorAll('.plot').length].join(' ')"
+# Where a link leads there is a file.
+expect "" "return [...document.querySelectorAll('a')].map((a) => decodeURIComponent(new URL(a.href).pathname))
+  .filter((path) => !path.endsWith('.png') || !path.includes('/differences/')).join(' ')"
+js "const picture = new Image(); picture.onload = () => window.loaded = 'loaded';
+  picture.src = [...document.querySelectorAll('a')].at(-1).href" >/dev/null
+expect loaded "return String(window.loaded)"
+
+# A golden test whose picture has changed, one whose reference is missing.
+printf %s "$scene" >"$base/scene.json"
+list="$base/<img src=x onerror=window.hit=1>.json"
+cat >"$list" <<'JSON'
+{"width": 32, "height": 32, "references": "<img src=x onerror=window.hit=1>",
+ "goldens": [{"scene": "scene.json", "name": "changed", "frames": [1]},
+             {"scene": "scene.json", "name": "missing", "frames": [1]}]}
+JSON
+"$program" golden update "$list" --only changed --quiet -o "$base/golden" 2>"$folder/err" ||
+  fail "golden update returned $?: $(cat "$folder/err")"
+"$program" golden check "$list" --set look.floor_color=[1,0,0] --quiet -o "$base/golden" 2>/dev/null
+[[ $? == 1 ]] || fail "golden found no difference"
+check_page "$base/golden/golden.html" changed/0001.png '/<img src=x onerror=window.hit=1>/missing/0001.png' "$base"
+
+# Scenes named by their files: probes and benchmark.
+for name in "${names[@]}"; do
+  printf %s "$scene" >"$base/$name.json"
+done
+for name in '{{data}}' '{{#pairs}}' '<img src=x onerror=window.hit=1>' '"><svg onload=window.hit=1>'; do
+  "$program" simulate "$base/$name.json" --quiet -o "$base/probed" || fail "simulate returned $?"
+  check_page "$base/probed/probes.html" "Probes of $name"
+done
+"$program" bench "$base/"*.json --spacing 1 --tolerance 1 --time-step 1 --solver sph --quiet -o "$base/bench" ||
+  fail "bench returned $?"
+check_page "$base/bench/bench.html" "${names[@]}"
+
+# A sweep of a scene named as the place of the page's data, with values that are markup, one of which fails.
+"$program" sweep "$base/{{data}}.json" --quiet -o "$base/swept" --set 'name=
+  "<img src=x onerror=window.hit=1>","\"><svg onload=window.hit=1>","{{title}}","<!--","${window.hit=1}"' \
+  >"$folder/out" 2>&1 </dev/null || fail "the sweep returned $?: $(cat "$folder/out")"
+check_page "$base/swept/report.html" 'Sweep of {{data}}.json' '<img src=x onerror=window.hit=1>' \
+  '"><svg onload=window.hit=1>' '{{title}}' '<!--' '${window.hit=1}'
+expect 5 "return String(document.querySelectorAll('#videos .run').length)"
+exit 0
