@@ -1,11 +1,13 @@
 #include "sim/sight.hpp"
 
-#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "sim/entry.hpp"
 #include "sim/motion.hpp"
 #include "sim/open_faces.hpp"
+#include "sim/posed_body.hpp"
+#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -30,18 +32,32 @@ bool is_between(const Solid& solid, glm::vec3 from, const glm::vec3& to, float m
 
 }  // namespace
 
-Sight::Sight(const Settings& settings, double time)
-    : fixed_(solids_of(without_moving(settings).obstacles)),
-      moving_(posed_bodies(settings, time, time)),
-      margin_(1e-3f * settings.fluid.spacing) {}
+struct Sight::Obstacles {
+  std::vector<Solid> fixed;
+  std::vector<PosedBody> moving;
+  float margin = 0;  ///< within which a place counts as on a surface, m
+};
+
+Sight::Sight(const Settings& settings, double time) {
+  if (!settings.obstacles.empty())
+    obstacles_ = std::make_shared<const Obstacles>(
+        Obstacles{.fixed = solids_of(without_moving(settings).obstacles),
+                  .moving = posed_bodies(settings, time, time),
+                  .margin = 1e-3f * settings.fluid.spacing});
+}
 
 bool Sight::is_free(const glm::vec3& from, const glm::vec3& to) const {
-  return std::none_of(fixed_.begin(), fixed_.end(),
-                      [&](const Solid& solid) { return is_between(solid, from, to, margin_); }) &&
-         std::none_of(moving_.begin(), moving_.end(), [&](const PosedBody& body) {
-           return is_between(body.solid, to_glm(body.pose.back(from_glm(from))),
-                             to_glm(body.pose.back(from_glm(to))), margin_);
-         });
+  if (!obstacles_)
+    return true;
+  const auto& [fixed, moving, margin] = *obstacles_;
+  for (const Solid& solid : fixed)
+    if (is_between(solid, from, to, margin))
+      return false;
+  for (const PosedBody& body : moving)
+    if (is_between(body.solid, to_glm(body.pose.back(from_glm(from))),
+                   to_glm(body.pose.back(from_glm(to))), margin))
+      return false;
+  return true;
 }
 
 /// Contact keeps all other particles inside the closed faces.

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <vector>
+#include <memory>
 
-#include "sim/posed_body.hpp"
 #include "sim/simulation.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 
@@ -22,9 +20,8 @@ class Sight {
   bool is_free(const glm::vec3& from, const glm::vec3& to) const;
 
  private:
-  std::vector<Solid> fixed_;
-  std::vector<PosedBody> moving_;
-  float margin_ = 0;  ///< m
+  struct Obstacles;
+  std::shared_ptr<const Obstacles> obstacles_;  ///< none: nothing is in the way
 };
 
 /// A frame without the liquid that is still in nozzles behind the domain's closed faces, where none

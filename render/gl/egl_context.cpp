@@ -36,7 +36,8 @@ Function egl_function(const char* name) {
   return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-constexpr std::size_t mesa_address_space = std::size_t{512} << 20;  // bytes; it crashed with 310 MiB
+constexpr std::size_t mesa_address_space = std::size_t{512}
+                                           << 20;  // bytes; it crashed with 310 MiB
 
 struct Display {
   EGLDisplay display;

@@ -89,7 +89,7 @@ TEST_CASE("as many particles are left out as a body takes the place of, fixed or
   s.fluid.volumes = {{Box{{0, 0, 0}, {1, 0.5f, 0.5f}}}};
   s.obstacles = {{Sphere{{0.5f, 0.25f, 0.25f}, 0.12f}}};
   if (GENERATE(false, true))
-    s.obstacles[0].motion = Motion{.oscillations = {{{0, 0.1f, 0}, {0, 0, 0}, 1, 0}}};
+    s.obstacles[0].motion.emplace().oscillations = {{{0, 0.1f, 0}, {0, 0, 0}, 1, 0}};
   const InitialParticles filled = fill_volumes(s);
   const double taken = 4. / 3 * 3.14159265 * std::pow(0.12, 3) / std::pow(0.025, 3);
   CHECK(static_cast<double>(filled.volumes[0].in_obstacles[0]) == Approx(taken).epsilon(0.03));

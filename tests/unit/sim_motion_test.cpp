@@ -135,7 +135,7 @@ TEST_CASE("steps are short enough for the walls' speed, at the start of a move t
   const GridMap map = GridMap::over({0, 0, 0}, {10, 1, 1}, 0.21f);
   Boundary boundary(without_moving(s), map, 0.2f, nullptr);
   Meshes meshes;
-  const MovingBodies moving(s, map, boundary, meshes);
+  const MovingBodies moving(s, map, boundary, meshes, nullptr);
   CHECK(moving.step_within(0.1, 0, 0.05) == 0.05);
   CHECK(moving.step_within(0.1, 0.15, 0.05) <= 0.1 / 50 * 1.001);
   const double step = moving.step_within(0.1, 0.099, 0.05);
@@ -158,7 +158,7 @@ TEST_CASE("samples go with their body; of two layers at one place one stays") {
   };
   const int wall = near_wall();
   Meshes meshes;
-  MovingBodies moving(s, map, boundary, meshes);
+  MovingBodies moving(s, map, boundary, meshes, nullptr);
   Executor executor;
   moving.place(executor, 0, 0);
   CHECK(moving.sample_count() > walls);
