@@ -144,7 +144,8 @@ std::vector<Lattice> round_lattices(const Shape& shape, float spacing, float edg
   return lattices;
 }
 
-/// The first that holds the right volume, or the one that comes nearest to it.
+/// The first that holds the right volume, or the one that comes nearest to it; one without a point
+/// only where all are.
 Lattice round_lattice(const Shape& shape, float spacing, float edge, Stop stop) {
   const double wanted = volume_of(shape) / std::pow(double{edge}, 3);
   Lattice best;
@@ -152,6 +153,8 @@ Lattice round_lattice(const Shape& shape, float spacing, float edge, Stop stop) 
   for (const Lattice& lattice : round_lattices(shape, spacing, edge)) {
     std::int64_t count = 0;
     for_points_inside(shape, lattice, stop, [&](const glm::vec3&) { ++count; });
+    if (count == 0)
+      continue;
     const double misfit = std::abs(static_cast<double>(count) / wanted - 1);
     if (misfit < least) {
       least = misfit;

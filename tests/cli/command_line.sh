@@ -124,8 +124,8 @@ case $part in
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$folder/cup.obj"
     expect 2 "is not closed: 3 edges are without a neighbour" render "$folder/scene.json"
     __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null \
-      expect 3 "libgl1-mesa-dri" render scenes/dam_break.json --frames 0:0 -o "$folder/no_egl"
-    __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 "none: no EGL device" info
+      expect 3 "unset __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null" render scenes/dam_break.json --frames 0:0 -o "$folder/no_egl"
+    __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null expect 0 "none: there is no EGL device" info
     expect 2 "--backend: gpu not in {auto,cpu,cuda}" render scenes/dam_break.json --backend gpu
     if "$program" info | grep -q 'cuda .*no '; then
       expect 2 'solver.backend is "cuda", but' render scenes/dam_break.json --backend cuda -o "$folder/no_cuda"
@@ -209,7 +209,7 @@ case $part in
     [[ $(ls "$folder/out_ab/differences") == 0001.png ]] ||
       complain "pictures of an earlier comparison stayed" compare
     head -c 300 "$folder/a/frames/0001.png" >"$folder/cut.png"
-    expect 2 "damaged, cut short or no picture" compare "$folder/cut.png" "$folder/b/frames/0001.png"
+    expect 2 "damaged or cut short" compare "$folder/cut.png" "$folder/b/frames/0001.png"
     expect 2 "there is no such file or folder" compare "$folder/a" "$folder/c" -o "$folder/out_ac"
     expect 2 "64x36 pixels" compare "$folder/a/frames/0000.png" docs/images/knot.png -o "$folder/out_s"
     expect 2 "not in range" compare "$folder/a" "$folder/b" --min-ssim 2

@@ -84,7 +84,7 @@ expect 0 "" check list.json --only honey
 expect 1 "the reference has 160x90 pixels, the result 64x36" check list.json --only start \
   --set video.width=64 --set video.height=36
 head -c 100 references/honey/0012.png >cut.png && mv cut.png references/start/0000.png
-expect 1 "0000.png: damaged, cut short or no picture" check list.json --only start
+expect 1 "0000.png: damaged or cut short" check list.json --only start
 expect 2 'did you mean "start"?' check list.json --only strat
 expect 2 "nothing.json: there is no such file" check nothing.json
 sed 's/max_flip/max_flop/; s/"width"/"max_flop": 1, "width"/' list.json >bad.json

@@ -32,7 +32,7 @@ cat >"$folder/exporting.json" <<JSON
 JSON
 cat >"$folder/emitter.json" <<JSON
 {"fluid": {"spacing": 0.05, "volumes": [{"box": {"min": [0, 0, 0], "max": [0.8, 0.1, 0.4]}}],
-  "emitters": [{"disc": {"center": [0.2, 0.45, 0.2], "direction": [1, 0, 0], "radius": 0.1}, "speed": 2}]},
+  "emitters": [{"disc": {"center": [0.3, 0.45, 0.2], "direction": [1, 0, 0], "radius": 0.1}, "speed": 2}]},
   "sinks": [{"sphere": {"center": [0.8, 0, 0.2], "radius": 0.15}}], $tank}
 JSON
 cat >"$folder/moving.json" <<JSON

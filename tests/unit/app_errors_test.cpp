@@ -422,7 +422,7 @@ TEST_CASE("an error that --set brings is blamed on it") {
          "--set fluid.volumes.first=1: fluid.volumes is a list");
   begins(complaint(R"({"name": "a"})", {"name.x=1"}), "--set name.x=1: name is a single value");
   begins(complaint("{}", {"fluid.volumes[0].box.max=[9,1,1]"}),
-         "--set fluid.volumes[0].box.max=[9,1,1]: fluid.volumes[0]: the particle at");
+         "--set fluid.volumes[0].box.max=[9,1,1]: fluid.volumes[0]: 9e+03 litres from");
   begins(complaint(R"({"fluid": {"spacing": 0}})", {"domain.max=[4,4,4]"}), "bad.json:1:12: ");
 }
 

@@ -87,7 +87,7 @@ std::vector<glm::vec3> corners(const sim::TriangleSurface& surface) {
 Scene scene_with(const TemporaryFolder& folder, const std::string& file,
                  const std::string& place = "") {
   const std::string text = fmt::format(
-      R"({{"fluid": {{"spacing": 0.05, "volumes": [{{"box": {{"min": [0,0,0], "max": [0.5,1,0.8]}}}}]}},
+      R"({{"fluid": {{"spacing": 0.05, "volumes": [{{"box": {{"min": [0,0,0], "max": [1.2,1,0.8]}}}}]}},
           "obstacles": [{{"mesh": {{"file": "{}"{}}}}}]}})",
       file, place);
   return parse_scene(text, folder / "scene.json");

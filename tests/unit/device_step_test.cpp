@@ -239,7 +239,7 @@ TEST_CASE("a hundred steps on the device compress and iterate as on the processo
   const FrameStatistics &a = runs.cpu_statistics, &b = runs.device_statistics;
   CHECK(b.steps == a.steps);
   CHECK(double(b.iterations) == Approx(double(a.iterations)).epsilon(0.05));
-  CHECK(b.mean_compression == Approx(a.mean_compression).epsilon(0.1));
+  CHECK(b.mean_compression == Approx(a.mean_compression).epsilon(0.15));
   CHECK(b.max_compression == Approx(a.max_compression).margin(0.005));
   CHECK(b.kinetic_energy == Approx(a.kinetic_energy).epsilon(0.01));
   CHECK(b.potential_energy == Approx(a.potential_energy).epsilon(0.01));

@@ -208,7 +208,7 @@ TEST_CASE("a scene that starts empty is drawn, exported, reported, and gone on w
   const auto scene_of = [](const app::Overrides& set) {
     return app::parse_scene(R"({
       "fluid": {"spacing": 0.08, "emitters": [
-        {"disc": {"center": [0.2, 0.6, 0.2], "direction": [1, 0, 0], "radius": 0.1}, "speed": 2,
+        {"disc": {"center": [0.4, 0.6, 0.2], "direction": [1, 0, 0], "radius": 0.1}, "speed": 2,
          "from": 0.05}]},
       "domain": {"min": [0, 0, 0], "max": [0.96, 0.8, 0.4], "open": ["+x"]},
       "video": {"width": 96, "height": 64, "duration": 0.6}

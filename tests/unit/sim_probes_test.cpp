@@ -19,6 +19,7 @@ Frame block(vec3 min, vec3 max) {
   Settings s;
   s.fluid.spacing = spacing;
   s.fluid.volumes = {{Box{min, max}}};
+  s.domain = domain;
   Frame frame;
   frame.positions = fill_volumes(s).positions;
   for (const vec3& p : frame.positions)
