@@ -118,6 +118,7 @@ Scratch::~Scratch() {
 }
 
 char* Scratch::allocate(std::ptrdiff_t bytes) {
+  const std::lock_guard lock(mutex_);
   const auto size = static_cast<std::size_t>(bytes);
   Block* best = nullptr;
   for (Block& block : blocks_)
@@ -138,6 +139,7 @@ char* Scratch::allocate(std::ptrdiff_t bytes) {
 }
 
 void Scratch::deallocate(char* memory, std::size_t) noexcept {
+  const std::lock_guard lock(mutex_);
   for (Block& block : blocks_)
     if (block.memory == memory)
       block.taken = false;

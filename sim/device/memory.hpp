@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <vector>
 
 namespace spindrift::sim::inline device {
@@ -64,6 +65,7 @@ class Scratch {
     std::size_t bytes;
     bool taken;
   };
+  std::mutex mutex_;  ///< where the processor's cores are the device, they ask at the same time
   std::vector<Block> blocks_;
 };
 
