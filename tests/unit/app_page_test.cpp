@@ -145,7 +145,9 @@ TEST_CASE("a plot's texts are neither commands to gnuplot nor markup in its pict
   CHECK_THAT(script, Contains("set xlabel ''' ; system ''x'' system ''touch hit'' `touch hit` "));
 }
 
-TEST_CASE("that gnuplot can't be run is told with the reason, not as if it were missing") {
+// Slow, so that it stays out of the sanitized runs: their checks need files of their own.
+TEST_CASE("that gnuplot can't be run is told with the reason, not as if it were missing",
+          "[slow]") {
   const Plot plot{.curves = {{.points = {{0, 1}}}}};
   rlimit before{};
   REQUIRE(::getrlimit(RLIMIT_NOFILE, &before) == 0);
