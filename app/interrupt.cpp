@@ -31,6 +31,9 @@ InterruptGuard::InterruptGuard() : hears_hangup_(!hangup_is_ignored()) {
 
 InterruptGuard::~InterruptGuard() {
   set(SIG_DFL);
+  // The second word of a lost terminal may come while what was finished is being reported.
+  if (hears_hangup_ && interrupted)
+    std::signal(SIGHUP, SIG_IGN);
 }
 
 void InterruptGuard::set(void (*handler)(int)) const {
