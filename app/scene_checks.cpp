@@ -220,13 +220,15 @@ class Checker {
       }
       const std::string path = child_path("fluid.volumes", i);
       const auto& inside = filled[i].in_obstacles;
-      const auto most = std::max_element(inside.begin(), inside.end());
-      if (most != inside.end() && *most > 0) {
+      const auto most =
+          std::max_element(inside.begin(), inside.end(),
+                           [](const auto& a, const auto& b) { return a.second < b.second; });
+      if (most != inside.end()) {
         complain(path,
                  fmt::format("all of its {:.3g} litres are inside obstacles[{}]{}; move either, "
                              "or leave one out",
-                             1000. * sim::volume_of(settings.fluid.volumes[i].shape),
-                             most - inside.begin(), hint_of(settings, most - inside.begin())));
+                             1000. * sim::volume_of(settings.fluid.volumes[i].shape), most->first,
+                             hint_of(settings, most->first)));
       } else {
         complain(path,
                  fmt::format("holds no particle at a spacing of {:g} m", settings.fluid.spacing));
@@ -235,8 +237,8 @@ class Checker {
   }
 
   /// What is inside a mesh may surprise.
-  static std::string hint_of(const sim::Settings& settings, std::ptrdiff_t obstacle) {
-    const sim::Shape& shape = settings.obstacles[static_cast<std::size_t>(obstacle)].shape;
+  static std::string hint_of(const sim::Settings& settings, std::size_t obstacle) {
+    const sim::Shape& shape = settings.obstacles[obstacle].shape;
     return std::holds_alternative<sim::TriangleMesh>(shape)
                ? ", a mesh that is solid there: for a hollow one, its inner surface must face "
                  "inward"

@@ -58,8 +58,8 @@ class Warnings {
     const sim::Shape& shape = settings_.fluid.volumes[number].shape;
     const double asked = sim::volume_of(shape);
     auto all = static_cast<double>(filled.placed + filled.outside);
-    for (std::size_t k = 0; k < filled.in_obstacles.size(); ++k) {
-      const auto left_out = static_cast<double>(filled.in_obstacles[k]);
+    for (const auto& [k, count] : filled.in_obstacles) {
+      const auto left_out = static_cast<double>(count);
       all += left_out;
       if (left_out * each > told_from * asked) {
         add(path, fmt::format("{:.3g} of its {:.3g} litres are in obstacles[{}] and left out",
@@ -114,15 +114,8 @@ class Warnings {
       return !sim::is_apart(bounds, domain);
     }
     for (int frame = 0; frame <= scene_.video.frame_count(); ++frame) {
-      const sim::Pose pose = sim::pose_at(obstacle, scene_.video.frames_per_second.time_of(frame));
-      sim::Box posed{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
-      for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 p(pose(glm::dvec3((corner & 1) ? bounds.max.x : bounds.min.x,
-                                          (corner & 2) ? bounds.max.y : bounds.min.y,
-                                          (corner & 4) ? bounds.max.z : bounds.min.z)));
-        posed = {glm::min(posed.min, p), glm::max(posed.max, p)};
-      }
-      if (!sim::is_apart(posed, domain)) {
+      const double time = scene_.video.frames_per_second.time_of(frame);
+      if (!sim::is_apart(sim::bounds_at(sim::pose_at(obstacle, time), bounds), domain)) {
         return true;
       }
     }

@@ -56,10 +56,13 @@ std::string one_line(const Json& json) {
 
 void write_text(const Json& json, std::size_t indent, std::size_t key_width, std::string& out) {
   constexpr std::size_t line_width = 100;
-  const std::string flat = one_line(json);
-  if (!json.is_structured() || (indent > 0 && indent + key_width + flat.size() < line_width)) {
-    out += flat;
-    return;
+  // An entry takes two characters at least, so that long lists need not be written to be measured.
+  if (!json.is_structured() || (indent > 0 && 2 * json.size() < line_width)) {
+    const std::string flat = one_line(json);
+    if (!json.is_structured() || indent + key_width + flat.size() < line_width) {
+      out += flat;
+      return;
+    }
   }
   out += json.is_array() ? "[" : "{";
   const char* separator = "\n";

@@ -46,7 +46,6 @@ class Filling {
     const Shape inside = within_domain(volume.shape, settings_.domain);
     const FilledShape filled = fill_shape(inside, settings_.fluid.spacing, edge_, stop_);
     FilledVolume result;
-    result.in_obstacles.resize(settings_.obstacles.size());
     for (const glm::vec3& p : filled.points)
       place(p, filled.step, inside, result);
     initial_.velocities.resize(initial_.positions.size(), volume.velocity);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <map>
 #include <vector>
 
 #include "sim/settings.hpp"
@@ -14,8 +15,8 @@ namespace spindrift::sim {
 /// What became of the liquid that one volume asks for, in particles.
 struct FilledVolume {
   std::size_t placed = 0;
-  std::size_t outside = 0;                ///< left out beyond the domain's faces
-  std::vector<std::size_t> in_obstacles;  ///< left out in each of the scene's obstacles
+  std::size_t outside = 0;                          ///< left out beyond the domain's faces
+  std::map<std::size_t, std::size_t> in_obstacles;  ///< left out in those of the scene's obstacles
 };
 
 /// Positions, m, and velocities, m/s, of a scene's liquid at the start: its volumes, but for what

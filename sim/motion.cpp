@@ -62,6 +62,17 @@ Pose pose_at(const Obstacle& obstacle, double time) {
   return obstacle.motion ? pose_at(*obstacle.motion, time) : Pose{};
 }
 
+Box bounds_at(const Pose& pose, const Box& box) {
+  Box posed{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 p(
+        pose(glm::dvec3((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
+                        (corner & 4) ? box.max.z : box.min.z)));
+    posed = {glm::min(posed.min, p), glm::max(posed.max, p)};
+  }
+  return posed;
+}
+
 bool any_moves(const std::vector<Obstacle>& obstacles) {
   return std::any_of(obstacles.begin(), obstacles.end(),
                      [](const Obstacle& o) { return o.motion.has_value(); });

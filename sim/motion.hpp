@@ -21,6 +21,9 @@ Pose pose_at(const Motion& motion, double time);
 /// The same for an obstacle that may be fixed.
 Pose pose_at(const Obstacle& obstacle, double time);
 
+/// The smallest box around where a box is in a pose, m.
+Box bounds_at(const Pose& pose, const Box& box);
+
 /// Whether any obstacle moves.
 bool any_moves(const std::vector<Obstacle>& obstacles);
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/box_tree.hpp"
 #include "sim/motion.hpp"
 #include "sim/settings.hpp"
 #include "sim/solid.hpp"
@@ -32,14 +33,17 @@ class StandingBodies {
   struct Body {
     const Shape* shape;
     Solid solid;  ///< where the scene puts it
-    Box bounds;   ///< of it, m
     Pose pose;    ///< to where it stands
 
     glm::vec3 back(const glm::vec3& p) const {
       return glm::vec3(glm::transpose(pose.rotation) * (glm::dvec3(p) - pose.translation));
     }
   };
+  static int count_inside(const Body& body, const Box& bounds, const glm::vec3& first,
+                          const glm::vec3& between);
+
   std::vector<Body> bodies_;
+  BoxTree places_;  ///< of the bodies' bounds where they stand
 };
 
 }  // namespace spindrift::sim

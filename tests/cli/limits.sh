@@ -57,6 +57,17 @@ under true 2 "of disk space" "${large[@]}" --set video.duration=1000 --set video
 processors=$(env -u OMP_NUM_THREADS nproc)
 under true 0 "threads on $processors processors wait for each other" "${run[@]}" --threads $((processors + 1))
 
+# Long scenes take time and memory in proportion to their length: a tenth of this is enough by far.
+repeat() { local k; for ((k = 0; k < $2; ++k)); do printf '%s' "$1"; done; }
+limited="ulimit -t 20 -v 2000000"
+printf '{"obstacles": [%s]}' "$(repeat '{"box": {"min": [0.1, 0.1, 0.1], "max": [0.2, 0.2, 0.2]}}, ' 50000)" |
+  sed 's/, \]/]/' >"$folder/bodies.json"
+(eval "$limited" && exec "$program" check "$folder/bodies.json") >"$folder/out" 2>"$folder/err" || fail "50,000 bodies"
+printf '{"fluid": {"volumes": [%s0]}}' "$(repeat '0, ' 200000)" >"$folder/volumes.json"
+under "$limited" 2 "and 199981 more" check "$folder/volumes.json"
+printf '{"fluid": %s%s}' "$(repeat '[' 100000)" "$(repeat ']' 100000)" >"$folder/deep.json"
+under "$limited" 2 "nested too deep" check "$folder/deep.json"
+
 # What can't be printed is told; nobody who reads is no reason to complain.
 "$program" check "$folder/scene.json" >/dev/full 2>"$folder/err"
 code=$?

@@ -92,8 +92,8 @@ TEST_CASE("as many particles are left out as a body takes the place of, fixed or
     s.obstacles[0].motion.emplace().oscillations = {{{0, 0.1f, 0}, {0, 0, 0}, 1, 0}};
   const InitialParticles filled = fill_volumes(s);
   const double taken = 4. / 3 * 3.14159265 * std::pow(0.12, 3) / std::pow(0.025, 3);
-  CHECK(static_cast<double>(filled.volumes[0].in_obstacles[0]) == Approx(taken).epsilon(0.03));
-  CHECK(filled.volumes[0].placed + filled.volumes[0].in_obstacles[0] == 16000);
+  CHECK(static_cast<double>(filled.volumes[0].in_obstacles.at(0)) == Approx(taken).epsilon(0.03));
+  CHECK(filled.volumes[0].placed + filled.volumes[0].in_obstacles.at(0) == 16000);
   for (const glm::vec3& p : filled.positions)
     CHECK(glm::distance(p, glm::vec3(0.5f, 0.25f, 0.25f)) > 0.1199f);
 }
