@@ -24,13 +24,16 @@ std::string text_of(const glm::vec3& v) {
   return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
 }
 
+/// Whether a place comes before another along x, or y or z where those before are the same.
+template <class Place>
+bool is_before(const Place& a, const Place& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
 /// The same surface with one vertex at each place, in the order of their first use, and without
 /// triangles that have two corners at one place.
 TriangleSurface joined(const TriangleSurface& from) {
-  const auto before = [](const glm::vec3& a, const glm::vec3& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  };
-  std::map<glm::vec3, std::uint32_t, decltype(before)> numbers(before);
+  std::map<glm::vec3, std::uint32_t, decltype(&is_before<glm::vec3>)> numbers(is_before);
   TriangleSurface into;
   for (const glm::uvec3& t : from.triangles) {
     glm::uvec3 corners;
@@ -158,33 +161,41 @@ struct Neighbour {
 };
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
-/// Sorts the sides of an edge by the way that their triangles lie around it.
+/// Sorts the sides of an edge by the way that their triangles lie around it, as places alone say:
+/// however vertices are numbered and triangles turned, the order is the same.
 void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
   const auto place = [&](std::uint32_t vertex) { return glm::dvec3(surface.vertices[vertex]); };
-  const glm::dvec3 low = place(sides[0].low), axis = glm::normalize(place(sides[0].high) - low);
-  const auto away = [&](const Side& side) {  // from the edge to the third corner
+  glm::dvec3 from = place(sides[0].low), to = place(sides[0].high);
+  if (is_before(to, from)) {
+    std::swap(from, to);
+  }
+  const glm::dvec3 axis = glm::normalize(to - from);
+  struct Around {
+    glm::dvec3 corner, way;  ///< the third, and to it from the edge
+    double angle;
+    Side side;
+  };
+  std::vector<Around> all;
+  for (const Side& side : sides) {
     const glm::uvec3& t = surface.triangles[side.triangle];
-    const glm::dvec3 to = place(t.x ^ t.y ^ t.z ^ side.low ^ side.high) - low;
-    return to - glm::dot(to, axis) * axis;
-  };
-  glm::dvec3 start(0.);  // the longest, so that it has a direction
-  for (const Side& side : sides) {
-    const glm::dvec3 way = away(side);
-    start = glm::length(way) > glm::length(start) ? way : start;
+    const glm::dvec3 corner = place(t.x ^ t.y ^ t.z ^ side.low ^ side.high);
+    const glm::dvec3 way = corner - from;
+    all.push_back({corner, way - glm::dot(way, axis) * axis, 0, side});
   }
+  // The angles count from the longest, so that it has a direction.
+  const glm::dvec3 start =
+      std::max_element(all.begin(), all.end(), [](const Around& a, const Around& b) {
+        const double of_a = glm::length(a.way), of_b = glm::length(b.way);
+        return of_a < of_b || (of_a == of_b && is_before(a.corner, b.corner));
+      })->way;
   const glm::dvec3 across = glm::cross(axis, start);
-  const auto angle = [&](const Side& side) {
-    const glm::dvec3 way = away(side);
-    return std::atan2(glm::dot(across, way), glm::dot(start, way));
-  };
-  std::vector<std::pair<double, Side>> sorted;
-  for (const Side& side : sides) {
-    sorted.emplace_back(angle(side), side);
+  for (Around& one : all) {
+    one.angle = std::atan2(glm::dot(across, one.way), glm::dot(start, one.way));
   }
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::transform(sorted.begin(), sorted.end(), sides.begin(),
-                 [](const auto& entry) { return entry.second; });
+  std::stable_sort(all.begin(), all.end(), [](const Around& a, const Around& b) {
+    return a.angle < b.angle || (a.angle == b.angle && is_before(a.corner, b.corner));
+  });
+  std::transform(all.begin(), all.end(), sides.begin(), [](const Around& one) { return one.side; });
 }
 
 /// Those across each triangle's sides. Where more than two meet at an edge, they are neighbours by

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "app/closed_surface.hpp"
+#include "app/mesh_readers.hpp"
 #include "mesh_support.hpp"
+#include "render/output/input_file.hpp"
 
 using namespace spindrift;
 using namespace spindrift::app;
@@ -100,6 +102,16 @@ TEST_CASE("single triangles may be turned anywhere, also where boxes meet at an 
       std::swap(mesh.triangles[k].x, mesh.triangles[k].y);
     CHECK(enclosed_volume(closed_surface(mesh)) == Approx(2));
   }
+}
+
+// Which of four triangles at an edge belong together followed from the numbers of their vertices.
+TEST_CASE("a surface that meets itself at edges is the same when it is made closed again") {
+  const auto once = closed_surface(
+      read_obj(output::read_file(SOURCE_DIR "/tests/fuzz/corpus/mesh/shared_edges.obj")));
+  const auto again = closed_surface(once);
+  CHECK(inner_shells(once) == 1);
+  CHECK(inner_shells(again) == 1);
+  CHECK(enclosed_volume(again) == Approx(enclosed_volume(once)));
 }
 
 TEST_CASE("a mesh that is there twice counts once, and a face between two bodies not at all") {
