@@ -1,11 +1,13 @@
 #include "sim/engine.hpp"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "sim/creep.hpp"
 #include "sim/inflow.hpp"
 #include "sim/initial.hpp"
 #include "sim/leftover.hpp"
@@ -71,7 +73,8 @@ struct Run final : Engine {
   Leftover leftover;
   Inflow inflow;
   Outflow outflow;
-  Exchange exchange;  ///< since the last frame
+  Exchange exchange;           ///< since the last frame
+  std::optional<Creep> creep;  ///< until it is done
 
   Run(const Settings& s, const InitialParticles& initial, Stop stop)
       : settings(s),
@@ -98,6 +101,8 @@ struct Run final : Engine {
     max_speed = largest_speed(executor, particles);
     inflow.attach(walls);
     walls.move(executor, 0, 0);
+    if (!initial.loose.empty())
+      creep.emplace(initial, inflow.next_id(0));
   }
 
   std::unique_ptr<PressureSolver> make_solver(const InitialParticles& initial) const {
@@ -314,6 +319,33 @@ struct Run final : Engine {
     statistics.potential_energy = m.potential_energy;
   }
 
+  /// Steps at no time, in which only liquid moves that is not at rest beside bodies.
+  void creep_to_rest() {
+    const Vec3<float> a = body_acceleration(settings.forces, time);
+    const double acceleration = std::sqrt(dot(a, a));
+    if (creep && acceleration > 0) {
+      const TimeStepControl before = time_step;
+      const double dt = std::min(time_step.next(1, 0, acceleration, mean_pressure),
+                                 Creep::longest_step(acceleration, constants.spacing));
+      FrameStatistics unused;
+      frame_end = std::numeric_limits<double>::max();
+      particles.mean_pressure.resize(particles.count);
+      particles.mean_pressure.fill(0);
+      creep->begin(executor, particles);
+      for (int k = 0; k < Creep::steps; ++k) {
+        step(dt, unused);
+        creep->end_step(executor, particles);
+      }
+      creep->end(executor, particles);
+      particles.mean_pressure.fill(0);
+      walls.boundary().mean_pressures().fill(0);
+      time_step = before;
+      max_speed = largest_speed(executor, particles);
+      measure_start();
+    }
+    creep.reset();
+  }
+
   FrameStatistics advance_to(double end, Stop stop) override {
     FrameStatistics statistics;
     executor.obey(stop);
@@ -331,6 +363,7 @@ struct Run final : Engine {
       settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
              walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
+      creep_to_rest();
     }
     frame_end = end;
     if (end - time > tiny(end)) {
@@ -369,6 +402,7 @@ struct Run final : Engine {
     walls.set_pressures(start.boundary_pressures);
     time = start.time;
     time_step.resume(start.last_time_step, start.allowed_time_step);
+    creep.reset();
     inflow.resume(executor, walls, start.time);
     measure_start();
   }

@@ -108,6 +108,7 @@ class Filling {
       if (!is_near)
         continue;
       moves.push_back({i, axes_[i]});
+      initial_.loose.push_back(i);
       around = {glm::min(around.min, p - reach), glm::max(around.max, p + reach)};
     }
     std::vector<glm::vec3> walls = bodies_.samples_in(around, edge_);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
 #include <vector>
@@ -24,6 +25,7 @@ struct FilledVolume {
 struct InitialParticles {
   std::vector<glm::vec3> positions, velocities;
   std::vector<FilledVolume> volumes;  ///< in the order of the scene's
+  std::vector<std::uint32_t> loose;   ///< particles that bodies have moved off their lattice
 };
 /// @throws Stopped
 InitialParticles fill_volumes(const Settings& settings, Stop stop = nullptr);

@@ -10,7 +10,7 @@
 namespace spindrift::sim {
 namespace {
 
-constexpr int packing_sweeps = 60;
+constexpr int packing_sweeps = 20;
 constexpr float packing_rate = 0.5f;         ///< of d⁴ Σ ∇W, in spacings d
 constexpr float longest_packing_way = 0.1f;  ///< in one sweep, spacings
 
