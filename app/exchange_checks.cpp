@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "app/scene_document.hpp"
@@ -198,25 +200,26 @@ std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& e
                                emitter.from, emitter.to, emitter.speed)};
 }
 
-std::optional<Complaint> check_open_faces(const sim::DomainSettings& domain) {
+void check_open_faces(const sim::DomainSettings& domain, std::vector<Complaint>& wrong) {
   for (std::size_t i = 0; i < domain.open.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (domain.open[i] == domain.open[k])
-        return Complaint{
-            child_path("domain.open", i),
-            fmt::format("\"{}\" stands there already",
-                        value_names<sim::Direction>[static_cast<std::size_t>(domain.open[i])])};
-  return std::nullopt;
+    if (std::find(domain.open.begin(), domain.open.begin() + static_cast<std::ptrdiff_t>(i),
+                  domain.open[i]) != domain.open.begin() + static_cast<std::ptrdiff_t>(i))
+      wrong.push_back(
+          {child_path("domain.open", i),
+           fmt::format("\"{}\" stands there already",
+                       value_names<sim::Direction>[static_cast<std::size_t>(domain.open[i])])});
 }
 
 }  // namespace
 
-std::optional<Complaint> check_exchange(const Scene& scene) {
+std::vector<Complaint> check_exchange(const Scene& scene) {
+  std::vector<Complaint> wrong;
   const auto& emitters = scene.simulation.fluid.emitters;
   for (std::size_t i = 0; i < emitters.size(); ++i)
-    if (auto wrong = check_emitter(scene, emitters[i], child_path("fluid.emitters", i)))
-      return wrong;
-  return check_open_faces(scene.simulation.domain);
+    if (auto first = check_emitter(scene, emitters[i], child_path("fluid.emitters", i)))
+      wrong.push_back(std::move(*first));
+  check_open_faces(scene.simulation.domain, wrong);
+  return wrong;
 }
 
 }  // namespace spindrift::app

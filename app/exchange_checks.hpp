@@ -1,8 +1,8 @@
 // What can be wrong with emitters, sinks and open faces.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/scene.hpp"
 
@@ -13,7 +13,7 @@ struct Complaint {
   std::string path, message;
 };
 
-/// The first thing that is wrong with a scene's emitters, sinks and open faces.
-std::optional<Complaint> check_exchange(const Scene& scene);
+/// What is wrong with a scene's emitters, the first thing of each, and with its open faces.
+std::vector<Complaint> check_exchange(const Scene& scene);
 
 }  // namespace spindrift::app

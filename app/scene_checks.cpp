@@ -200,10 +200,9 @@ class Checker {
     const float tolerance = 0.501f * scene_.simulation.fluid.spacing;
     if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
         glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
-      complain(path,
-               fmt::format("{:.3g} litres from {} to {}, which is outside the domain {} ... {}",
-                           1000. * sim::volume_of(shape), text_of(bounds.min), text_of(bounds.max),
-                           text_of(domain.min), text_of(domain.max)));
+      complain(path, fmt::format("{} litres from {} to {}, which is outside the domain {} ... {}",
+                                 litres_text(sim::volume_of(shape)), text_of(bounds.min),
+                                 text_of(bounds.max), text_of(domain.min), text_of(domain.max)));
     }
   }
 
@@ -224,11 +223,10 @@ class Checker {
           std::max_element(inside.begin(), inside.end(),
                            [](const auto& a, const auto& b) { return a.second < b.second; });
       if (most != inside.end()) {
-        complain(path,
-                 fmt::format("all of its {:.3g} litres are inside obstacles[{}]{}; move either, "
-                             "or leave one out",
-                             1000. * sim::volume_of(settings.fluid.volumes[i].shape), most->first,
-                             hint_of(settings, most->first)));
+        complain(path, fmt::format("all of its {} litres are inside obstacles[{}]{}; move either, "
+                                   "or leave one out",
+                                   litres_text(sim::volume_of(settings.fluid.volumes[i].shape)),
+                                   most->first, hint_of(settings, most->first)));
       } else {
         complain(path,
                  fmt::format("holds no particle at a spacing of {:g} m", settings.fluid.spacing));
@@ -253,8 +251,8 @@ class Checker {
   }
 
   void check_emitters() {
-    if (const auto wrong = check_exchange(scene_)) {
-      complain(wrong->path, wrong->message);
+    for (const Complaint& wrong : check_exchange(scene_)) {
+      complain(wrong.path, wrong.message);
     }
   }
 

@@ -45,7 +45,10 @@ class MeshLoader {
         document_(document),
         folder_(std::move(folder)) {}
 
-  void load(sim::Shape& shape, const std::string& owner) const {
+  /// What is wrong with the meshes so far.
+  const std::vector<Problem>& problems() const { return problems_; }
+
+  void load(sim::Shape& shape, const std::string& owner) {
     auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
     if (!mesh) {
       return;
@@ -56,32 +59,36 @@ class MeshLoader {
     try {
       surface = closed_surface(read_mesh_file(file));
     } catch (const MeshError& error) {
-      fail(child_path(path, "file"), fmt::format("{}: {}", file.string(), error.what()));
+      return complain(child_path(path, "file"), fmt::format("{}: {}", file.string(), error.what()));
     }
     place(surface, *mesh);
-    check_size(surface, path);
+    if (const std::string wrong = wrong_size(surface); !wrong.empty())
+      return complain(path, wrong);
     mesh->body = std::make_shared<const sim::MeshBody>(std::move(surface), spacing_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw SceneError(document_.problem(path, message));
+  void complain(const std::string& path, const std::string& message) {
+    problems_.push_back(document_.problem(path, message));
   }
 
-  void check_size(const sim::TriangleSurface& surface, const std::string& path) const {
+  /// Empty where the size is right.
+  std::string wrong_size(const sim::TriangleSurface& surface) const {
     const float width = widest(sim::bounds_of(surface));
     const float most = std::min(most_domains * widest(domain_), most_spacings * spacing_);
-    if (most > 0.f && !(width >= spacing_ && width <= most)) {
-      fail(path, fmt::format("{:g} m wide; accepted: {:g} ... {:g} m, from one particle spacing to "
-                             "{:g} domain widths or {:g} spacings (scale sets the file's unit)",
-                             width, spacing_, most, most_domains, most_spacings));
-    }
+    if (!(most > 0.f) || (width >= spacing_ && width <= most))
+      return "";
+    return fmt::format(
+        "{:g} m wide; accepted: {:g} ... {:g} m, from one particle spacing to {:g} domain widths "
+        "or {:g} spacings (scale sets the file's unit)",
+        width, spacing_, most, most_domains, most_spacings);
   }
 
   float spacing_;
   sim::Box domain_;
   const SceneDocument& document_;
   std::filesystem::path folder_;
+  std::vector<Problem> problems_;
 };
 
 /// Calls f(shape, path) for all shapes of a scene.
@@ -102,9 +109,10 @@ void for_each_shape(Scene& scene, F f) {
 }  // namespace
 
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder) {
-  const MeshLoader loader(scene, document, folder);
+  MeshLoader loader(scene, document, folder);
   for_each_shape(scene,
                  [&](sim::Shape& shape, const std::string& path) { loader.load(shape, path); });
+  throw_if_any(loader.problems());
 }
 
 std::vector<Complaint> mesh_warnings(const Scene& scene) {

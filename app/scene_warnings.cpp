@@ -8,6 +8,7 @@
 #include "app/estimate.hpp"
 #include "app/scene_document.hpp"
 #include "app/scene_meshes.hpp"
+#include "app/shown_text.hpp"
 #include "sim/fill.hpp"
 #include "sim/initial.hpp"
 #include "sim/motion.hpp"
@@ -20,7 +21,6 @@ namespace spindrift::app {
 namespace {
 
 constexpr double told_from = 0.01;  // part of a volume's liquid
-constexpr double litres = 1000.;    // in a cubic metre
 
 class Warnings {
  public:
@@ -62,18 +62,19 @@ class Warnings {
       const auto left_out = static_cast<double>(count);
       all += left_out;
       if (left_out * each > told_from * asked) {
-        add(path, fmt::format("{:.3g} of its {:.3g} litres are in obstacles[{}] and left out",
-                              litres * left_out * each, litres * asked, k));
+        add(path, fmt::format("{} of its {} litres are in obstacles[{}] and left out",
+                              litres_text(left_out * each), litres_text(asked), k));
       }
     }
     if (static_cast<double>(filled.outside) * each > told_from * asked) {
-      add(path, fmt::format("{:.3g} of its {:.3g} litres are outside the domain and left out",
-                            litres * static_cast<double>(filled.outside) * each, litres * asked));
+      add(path,
+          fmt::format("{} of its {} litres are outside the domain and left out",
+                      litres_text(static_cast<double>(filled.outside) * each), litres_text(asked)));
     }
     if (std::abs(all * each - asked) > told_from * asked) {
-      add(path, fmt::format("{:.3g} litres are asked for, {:.3g} fit particles {:g} m apart; a "
-                            "smaller fluid.spacing comes nearer",
-                            litres * asked, litres * all * each, settings_.fluid.spacing));
+      add(path, fmt::format("{} litres are asked for, {} fit particles {:g} m apart; a smaller "
+                            "fluid.spacing comes nearer",
+                            litres_text(asked), litres_text(all * each), settings_.fluid.spacing));
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -101,6 +102,15 @@ bool holds_control_characters(std::string_view text) {
     text.remove_prefix(c.bytes.size());
   }
   return false;
+}
+
+std::string litres_text(double volume) {
+  const double litres = 1000. * volume;
+  if (!(litres >= 1000.) || litres >= 1e6) {
+    return fmt::format("{:.3g}", litres);
+  }
+  const double unit = litres < 1e4 ? 10. : litres < 1e5 ? 100. : 1000.;
+  return fmt::format("{:.0f}", std::round(litres / unit) * unit);
 }
 
 }  // namespace spindrift::app

@@ -1,4 +1,4 @@
-// Text that somebody else wrote, as it is shown in a message.
+// Text that somebody else wrote, and volumes, as they are shown in a message.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,9 @@ std::string escaped(std::string_view text);
 
 /// The same, cut to so many letters, the dots at its end included.
 std::string shown(std::string_view text, std::size_t most_letters = 40);
+
+/// A volume, m³, in litres with three digits that count.
+std::string litres_text(double volume);
 
 /// Whether a text holds a character that `escaped` would replace.
 bool holds_control_characters(std::string_view text);

@@ -165,6 +165,13 @@ const std::vector<Case> wrong_together{
     {R"({"look": {"color_min": 5, "color_max": 1}})", {"look.color_min", "above color_max"}},
     {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,0,0], "radius": 0.1}}]}})",
      {"fluid.emitters[0].disc.direction: has no length"}},
+    {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,0,0], "radius": 0.1}},
+                                {"disc": {"center": [1,1,0.4], "direction": [0,-1,0], "radius": 0.1}, "from": 2, "to": 1}]},
+         "domain": {"open": ["+x", "+x"]}})",
+     {"fluid.emitters[0].disc.direction: has no length", "fluid.emitters[1].to: 1 s is not after",
+      "domain.open[1]: \"+x\" stands there already"}},
+    {R"({"obstacles": [{"mesh": {"file": "none.obj"}}, {"mesh": {"file": "no.ply"}}]})",
+     {"obstacles[0].mesh.file: ", "obstacles[1].mesh.file: "}},
     {R"({"fluid": {"emitters": [{"disc": {"center": [1,1,0.4], "direction": [0,1,0], "radius": 0.02}}]}})",
      {"disc.radius: the opening is 0.04 m wide", "2 particle spacings (0.05 m)"}},
     {R"({"fluid": {"emitters": [{"disc": {"center": [1,0,0.4], "direction": [0,-1,0], "radius": 0.1}}]}})",
@@ -422,7 +429,7 @@ TEST_CASE("an error that --set brings is blamed on it") {
          "--set fluid.volumes.first=1: fluid.volumes is a list");
   begins(complaint(R"({"name": "a"})", {"name.x=1"}), "--set name.x=1: name is a single value");
   begins(complaint("{}", {"fluid.volumes[0].box.max=[9,1,1]"}),
-         "--set fluid.volumes[0].box.max=[9,1,1]: fluid.volumes[0]: 9e+03 litres from");
+         "--set fluid.volumes[0].box.max=[9,1,1]: fluid.volumes[0]: 9000 litres from");
   begins(complaint(R"({"fluid": {"spacing": 0}})", {"domain.max=[4,4,4]"}), "bad.json:1:12: ");
 }
 
