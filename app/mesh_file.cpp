@@ -91,14 +91,6 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-std::string shown_word(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string text(word.substr(0, longest));
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
-  return word.size() > longest ? text + "..." : text;
-}
-
 float coordinate(double number) {
   const auto narrow = static_cast<float>(number);
   if (!std::isfinite(narrow)) {

@@ -9,6 +9,7 @@
 #include "app/closed_surface.hpp"
 #include "app/mesh_readers.hpp"
 #include "app/polygon.hpp"
+#include "app/shown_text.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -45,7 +46,7 @@ glm::vec3 read_vertex(std::string_view rest) {
     const auto number = number_of<double>(word);
     if (!number) {
       throw MeshError(word.empty() ? std::string("a vertex (v) needs three numbers")
-                                   : fmt::format("\"{}\" is not a number", shown_word(word)));
+                                   : fmt::format("\"{}\" is not a number", shown(word)));
     }
     vertex[axis] = coordinate(*number);
   }
@@ -58,7 +59,7 @@ glm::vec3 read_vertex(std::string_view rest) {
 std::uint32_t read_corner(std::string_view word, std::size_t before, std::size_t all) {
   const auto number = number_of<std::int64_t>(word.substr(0, word.find('/')));
   if (!number) {
-    throw MeshError(fmt::format("\"{}\" is not a vertex's number", shown_word(word)));
+    throw MeshError(fmt::format("\"{}\" is not a vertex's number", shown(word)));
   }
   const auto count = static_cast<std::int64_t>(*number < 0 ? before : all);
   if (*number == 0 || *number > count || *number < -count) {

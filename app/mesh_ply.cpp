@@ -14,6 +14,7 @@
 #include "app/closed_surface.hpp"
 #include "app/mesh_readers.hpp"
 #include "app/polygon.hpp"
+#include "app/shown_text.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -105,7 +106,7 @@ class PlyHeaderReader {
     } else if (keyword == "property") {
       read_property(rest);
     } else if (keyword != "comment" && keyword != "obj_info") {
-      fail(fmt::format("\"{}\" is not a line of a PLY's header", shown_word(keyword)));
+      fail(fmt::format("\"{}\" is not a line of a PLY's header", shown(keyword)));
     }
   }
 
@@ -118,7 +119,7 @@ class PlyHeaderReader {
       fail(
           fmt::format("unknown format \"{} {}\"; accepted: ascii, binary_little_endian and "
                       "binary_big_endian 1.0",
-                      shown_word(name), shown_word(version)));
+                      shown(name), shown(version)));
     }
     header_.encoding = static_cast<PlyEncoding>(found - names.begin());
     has_format_ = true;
@@ -128,7 +129,7 @@ class PlyHeaderReader {
     const std::string_view name = take_word(rest), count = take_word(rest);
     const auto number = number_of<std::uint64_t>(count);
     if (name.empty() || !number) {
-      fail(fmt::format("\"{}\" is not a number of elements", shown_word(count)));
+      fail(fmt::format("\"{}\" is not a number of elements", shown(count)));
     }
     header_.elements.push_back({name, *number});
   }
@@ -160,7 +161,7 @@ class PlyHeaderReader {
     fail(
         fmt::format("unknown type \"{}\"; accepted: char, uchar, short, ushort, int, uint, float "
                     "and double",
-                    shown_word(name)));
+                    shown(name)));
   }
 
   std::string_view& bytes_;
@@ -221,12 +222,12 @@ class PlyBody {
     }
     const auto number = number_of<double>(word);
     if (!number) {
-      fail(fmt::format("\"{}\" is not a number", shown_word(word)));
+      fail(fmt::format("\"{}\" is not a number", shown(word)));
     }
     const bool fits = !type.whole || (*number >= type.min() && *number <= type.max() &&
                                       std::floor(*number) == *number);
     if (!fits) {
-      fail(fmt::format("{} is not of the type {}", shown_word(word), type.name));
+      fail(fmt::format("{} is not of the type {}", shown(word), type.name));
     }
     rest_.remove_prefix(word.size());
     return *number;
@@ -281,11 +282,11 @@ class PlySurfaceReader {
     for (const PlyElement& element : elements) {
       const std::size_t least = element.least_bytes(encoding_);
       if (element.count > 0 && least == 0) {
-        body_.fail(fmt::format("elements \"{}\" without a property", shown_word(element.name)));
+        body_.fail(fmt::format("elements \"{}\" without a property", shown(element.name)));
       }
       if (!body_.has(element.count, least)) {
         body_.fail_short(fmt::format("{} elements \"{}\" of at least {} each", element.count,
-                                     shown_word(element.name), least));
+                                     shown(element.name), least));
       }
       read(element);
     }

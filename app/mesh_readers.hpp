@@ -35,9 +35,6 @@ std::string_view take_word(std::string_view& text);
 /// The next line without its end; takes it off.
 std::string_view take_line(std::string_view& text);
 
-/// A word of a file as it can stand in a message: short, and without control characters.
-std::string shown_word(std::string_view word);
-
 /// A coordinate as meshes have it. @throws MeshError where it is not finite or beyond a float's
 /// range
 float coordinate(double number);
