@@ -100,7 +100,8 @@ TEST_CASE("a damaged PLY is refused with the place and what is wrong there") {
   CHECK_THROWS_WITH(read_ply(text_ply("0 3 2 0 4")), Contains("line 23: face 3 has the vertex 4"));
   CHECK_THROWS_WITH(read_ply(text_ply("0 3 2 0")), Contains("line 23: is cut short"));
   CHECK_THROWS_WITH(read_ply(text_ply("0 300 2 0 4")), Contains("300 is not of the type uchar"));
-  CHECK_THROWS_WITH(read_ply(text_ply("0 3 2 0 x\x1b[2J")), Contains("\"x\\u001b[2J\" is not a number"));
+  CHECK_THROWS_WITH(read_ply(text_ply("0 3 2 0 x\x1b[2J")),
+                    Contains("\"x\\u001b[2J\" is not a number"));
   CHECK_THROWS_WITH(read_ply(text_ply("0 3 2 .5 1")), Contains(".5 is not of the type int"));
 }
 
