@@ -54,9 +54,11 @@ StandingBodies::Part StandingBodies::part_inside(const glm::vec3& center,
 /// points, m
 int StandingBodies::count_inside(const Body& body, const Box& bounds, const glm::vec3& first,
                                  const glm::vec3& between) {
-  const glm::ivec3 from = glm::max(glm::ivec3(glm::ceil((bounds.min - first) / between)), 0);
-  const glm::ivec3 to =
-      glm::min(glm::ivec3(glm::floor((bounds.max - first) / between)), parts_along - 1);
+  // Clamped before they are whole numbers: a body may reach further than those do.
+  const glm::vec3 low = glm::ceil((bounds.min - first) / between),
+                  high = glm::floor((bounds.max - first) / between);
+  const glm::ivec3 from(glm::clamp(low, 0.f, float{parts_along}));
+  const glm::ivec3 to(glm::clamp(high, -1.f, float{parts_along - 1}));
   int points = 0;
   for (int k = from.z; k <= to.z; ++k)
     for (int j = from.y; j <= to.y; ++j)

@@ -110,6 +110,14 @@ TEST_CASE("a body between two layers of a lattice leaves the others as they were
   }
 }
 
+TEST_CASE("a body far larger than the tank leaves no liquid, one beside it all") {
+  Settings s = pool(0.05f);
+  s.obstacles = {{Box{glm::vec3(-3e9f), glm::vec3(3e9f)}}};
+  CHECK(fill_volumes(s).positions.empty());
+  s.obstacles = {{Box{{-3e9f, -3e9f, -3e9f}, {3e9f, 0, 3e9f}}}};
+  CHECK(fill_volumes(s).positions.size() == 1600);
+}
+
 TEST_CASE("an obstacle outside the domain has no samples") {
   Settings s = pool(0.05f);
   const Simulation without(s);
