@@ -331,6 +331,14 @@ TEST_CASE("text that is no clean UTF-8 is read or refused in words") {
   CHECK(complaint("\xff\xfe{").starts_with("bad.json:1:1: not valid JSON"));
 }
 
+TEST_CASE("volumes are told in litres, without exponents up to a thousand cubic metres") {
+  CHECK(litres_text(4.188e-3) == "4.19");
+  CHECK(litres_text(0.9994) == "999");
+  CHECK(litres_text(0.9996) == "1000");
+  CHECK(litres_text(9.004) == "9000");
+  CHECK(litres_text(123.4567) == "123000");
+}
+
 TEST_CASE("long and hostile text is shortened and escaped in messages") {
   const std::string huge(1'000'000, 'x');
   for (const std::string& text :
