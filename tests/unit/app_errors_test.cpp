@@ -9,6 +9,8 @@
 #include "app/scene.hpp"
 #include "app/shown_text.hpp"
 
+namespace app_errors_tests {
+
 using namespace spindrift::app;
 
 namespace {
@@ -266,12 +268,12 @@ TEST_CASE("a mistyped key is not found missing as well") {
 
 TEST_CASE("of very many problems twenty are told and the rest counted") {
   std::string text = "{";
-  for (int k = 0; k < 50'000; ++k)
+  for (int k = 0; k < 5'000; ++k)
     text += "\"unknown_key_" + std::to_string(k) + "\": 0, ";
   const std::string message = complaint(text + "\"name\": 7}");
   CHECK(std::count(message.begin(), message.end(), '\n') == 20);
   CHECK(message.find("\nbad.json:1:") != message.npos);
-  CHECK(message.ends_with("\nand 49981 more"));
+  CHECK(message.ends_with("\nand 4981 more"));
 }
 
 TEST_CASE("nesting has a limit, told with its place") {
@@ -340,7 +342,7 @@ TEST_CASE("volumes are told in litres, without exponents up to a thousand cubic 
 }
 
 TEST_CASE("long and hostile text is shortened and escaped in messages") {
-  const std::string huge(1'000'000, 'x');
+  const std::string huge(100'000, 'x');
   for (const std::string& text :
        {"{\"" + huge + "\": 1}", "{\"look\": {\"style\": \"" + huge + "\"}}",
         "{\"name\": \"" + huge + "\"}", "{\"fluid\": " + huge + "}",
@@ -450,3 +452,5 @@ TEST_CASE("edit distance counts inserted, lost, replaced and swapped letters") {
   CHECK(edit_distance("kitten", "sitting") == 3);
   CHECK(edit_distance("sitting", "kitten") == 3);
 }
+
+}  // namespace app_errors_tests

@@ -9,6 +9,8 @@
 #include "sim/neighbourhood.hpp"
 #include "sim/surface_tension.hpp"
 
+namespace sim_tension_tests {
+
 using namespace spindrift::sim;
 using glm::dvec3;
 
@@ -64,7 +66,7 @@ double energy(const std::vector<dvec3>& x, const std::vector<Wall>& walls, doubl
 
 }  // namespace
 
-TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta") {
+TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta", "[slow]") {
   const float angle = GENERATE(90.f, 120.f, 180.f);
   Settings s;
   s.fluid.spacing = static_cast<float>(d);
@@ -136,3 +138,5 @@ TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta
     CHECK(glm::length(turning) < 1e-5 * largest);
   }
 }
+
+}  // namespace sim_tension_tests
