@@ -104,6 +104,8 @@ bool ParticleSource::start_simulation(int number) {
   } catch (const sim::Stopped&) {
     return false;
   }
+  if (!scene_.probes.empty() && number > 0)
+    at_last_stop_ = app::read_probes(scene_, last_);
   last_ = {};
   return true;
 }
@@ -112,31 +114,42 @@ bool ParticleSource::start_simulation(int number) {
 std::optional<ComingFrame> ParticleSource::simulate(int number) {
   if (!simulation_ && !start_simulation(number))
     return std::nullopt;
-  const double time = time_of(number);
-  std::vector<double> readings{time};
-  if (!scene_.probes.empty() && scene_.probes_rate > 0)
-    readings = reading_times(number == 0 ? -1 : time_of(number - 1), time, scene_.probes_rate);
+  const double time = time_of(number), begin = number == 0 ? -1 : time_of(number - 1);
+  std::vector<double> readings;
+  if (!scene_.probes.empty())
+    readings = scene_.probes_rate > 0 ? reading_times(begin, time, scene_.probes_rate)
+                                      : std::vector<double>{time};
   ComingFrame coming;
-  for (const double at : readings) {
-    if (at == time)
-      break;
-    advance_to(at, coming.statistics);
+  auto due = readings.cbegin();
+  for (const double at : stop_times(begin, time, number == 0 ? 1 : readings.size())) {
+    append(coming.statistics, simulation_->advance_to(at, &InterruptGuard::requested()));
     if (InterruptGuard::requested())
       return std::nullopt;
-    read_probes(simulation_->frame());
+    if (at < time)
+      due = read_probes(simulation_->frame(), due, readings.cend());
   }
-  advance_to(time, coming.statistics);
-  if (InterruptGuard::requested())
-    return std::nullopt;
   coming.frame = simulation_->take_frame();
   coming.time = time;
   coming.particle_count = simulation_->particle_count();
-  if (!scene_.probes.empty() && !readings.empty() && readings.back() == time) {
+  if (!scene_.probes.empty()) {
     sim::Frame frame = coming.frame.get();
-    read_probes(frame);
+    read_probes(frame, due, readings.cend());
     coming.frame = ready(std::move(frame));
   }
   return coming;
+}
+
+/// Reads the probes at a stop, and notes the readings that are due since the last one.
+/// @returns the first that is due later
+std::vector<double>::const_iterator ParticleSource::read_probes(
+    const sim::Frame& frame, std::vector<double>::const_iterator due,
+    std::vector<double>::const_iterator end) {
+  ProbeReading now = app::read_probes(scene_, frame);
+  const double rounding = 1e-9 * now.time;
+  for (; due != end && *due <= now.time + rounding; ++due)
+    readings_.push_back(reading_between(at_last_stop_, now, *due));
+  at_last_stop_ = std::move(now);
+  return due;
 }
 
 ComingFrame ParticleSource::kept(int number, KeptFrame frame) {
@@ -144,7 +157,8 @@ ComingFrame ParticleSource::kept(int number, KeptFrame frame) {
   const std::size_t particles = frame.frame.positions.size();
   particle_count_ = std::max(particle_count_, particles);
   if (!add_kept_readings(number)) {
-    read_probes(frame.frame);
+    if (!scene_.probes.empty())
+      readings_.push_back(app::read_probes(scene_, frame.frame));
     ++read_once_;
   }
   return {ready(std::move(frame.frame)), frame.statistics, time, particles, true};
@@ -179,15 +193,6 @@ bool ParticleSource::add_kept_readings(int number) {
 
 double ParticleSource::time_of(int number) const {
   return scene_.video.frames_per_second.time_of(number);
-}
-
-void ParticleSource::advance_to(double time, sim::FrameStatistics& statistics) {
-  append(statistics, simulation_->advance_to(time, &InterruptGuard::requested()));
-}
-
-void ParticleSource::read_probes(const sim::Frame& frame) {
-  if (!scene_.probes.empty())
-    readings_.push_back(app::read_probes(scene_, frame));
 }
 
 SimulationRecord ParticleSource::record() const {

@@ -49,12 +49,14 @@ class ParticleSource {
   void keep_readings(int number, std::size_t first) const;
   bool add_kept_readings(int number);
   double time_of(int number) const;
-  void advance_to(double time, sim::FrameStatistics& statistics);
-  void read_probes(const sim::Frame& frame);
+  std::vector<double>::const_iterator read_probes(const sim::Frame& frame,
+                                                  std::vector<double>::const_iterator due,
+                                                  std::vector<double>::const_iterator end);
 
   const Scene& scene_;
   std::vector<ProbeReading>& readings_;
   std::optional<ParticleCache> cache_;
+  ProbeReading at_last_stop_;  ///< of the simulation at work
   std::string readings_name_;  ///< of the files that readings between frames are kept in
   bool read_only_ = false;     ///< particles are given, never simulated
   sim::Frame last_;            ///< that a simulation goes on from, where none is at work

@@ -91,6 +91,26 @@ std::vector<double> reading_times(double begin, double end, double rate) {
   return due;
 }
 
+std::vector<double> stop_times(double begin, double end, std::size_t readings) {
+  std::vector<double> stops;
+  for (std::size_t k = 1; k < readings; ++k)
+    stops.push_back(begin +
+                    (end - begin) * (static_cast<double>(k) / static_cast<double>(readings)));
+  stops.push_back(end);
+  return stops;
+}
+
+ProbeReading reading_between(const ProbeReading& before, const ProbeReading& after, double time) {
+  constexpr double rounding = 1e-6;  // of the time between the two
+  const double part = (time - before.time) / (after.time - before.time);
+  ProbeReading reading{time, after.values};
+  if (!(part < 1 - rounding))
+    return reading;
+  for (std::size_t i = 0; i < reading.values.size(); ++i)
+    reading.values[i] = before.values[i] + part * (after.values[i] - before.values[i]);
+  return reading;
+}
+
 std::string probes_csv(const Scene& scene, const Readings& readings) {
   std::string text = "time_s";
   for (const sim::Probe& probe : scene.probes)

@@ -22,6 +22,16 @@ ProbeReading read_probes(const Scene& scene, const sim::Frame& frame);
 /// @param rate readings per second, above 0
 std::vector<double> reading_times(double begin, double end, double rate);
 
+/// The times in (begin, end], s, at which a simulation stops for its probes: as many as there are
+/// readings, evenly spread, the last of them `end`. They are the readings' own times where frames
+/// are a whole number of readings apart; elsewhere frames and readings both would make many more
+/// stops.
+std::vector<double> stop_times(double begin, double end, std::size_t readings);
+
+/// What was read at the later of two stops or, for a time between them, the value on the straight
+/// line; NaN where either is.
+ProbeReading reading_between(const ProbeReading& before, const ProbeReading& after, double time);
+
 /// A line for each reading under a header with the units; a cell is empty where there was nothing
 /// to measure.
 std::string probes_csv(const Scene& scene, const std::vector<ProbeReading>& readings);

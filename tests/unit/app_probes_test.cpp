@@ -1,4 +1,5 @@
 // Probes of a scene: their keys, the times at which they are read, their table and their report.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <string>
@@ -6,6 +7,8 @@
 
 #include "app/probe_table.hpp"
 #include "app/scene_fields.hpp"
+
+namespace app_probes_tests {
 
 using namespace spindrift;
 using namespace spindrift::app;
@@ -74,6 +77,38 @@ TEST_CASE("readings are due at whole periods, each once, whatever the frames' ti
     CHECK(all[k] == Approx(static_cast<double>(k) / rate));
 }
 
+TEST_CASE("a simulation stops for readings no more often than there are readings or frames") {
+  const double rate = GENERATE(25., 60., 240., 250., 500., 510., 1000.);
+  const double frames_per_second = 60;
+  const int frames = 96;
+  std::size_t stops = 0, readings = 0;
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double begin = (frame - 1) / frames_per_second, end = frame / frames_per_second;
+    const std::vector<double> due = reading_times(begin, end, rate);
+    const std::vector<double> times = stop_times(begin, end, due.size());
+    CHECK(times.back() == end);
+    CHECK(std::is_sorted(times.begin(), times.end()));
+    if (std::fmod(rate, frames_per_second) == 0)
+      CHECK_THAT(times, Catch::Approx(due));
+    stops += times.size();
+    readings += due.size();
+  }
+  CHECK(stops == std::max(readings, std::size_t{frames}));
+}
+
+TEST_CASE("what is read between two stops lies on the straight line between them") {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const ProbeReading before{0.1, {1, nothing, nothing}}, after{0.2, {5, 3, nothing}};
+  const ProbeReading between = reading_between(before, after, 0.125);
+  CHECK(between.time == 0.125);
+  CHECK(between.values[0] == Approx(2));
+  CHECK(std::isnan(between.values[1]));
+  const ProbeReading last = reading_between(before, after, 0.2);
+  CHECK(last.values[0] == 5);
+  CHECK(last.values[1] == 3);
+  CHECK(std::isnan(last.values[2]));
+}
+
 TEST_CASE("the table has a column for every number, with its unit, and empty cells") {
   Scene scene = parse_scene(probed_scene, "test.json");
   scene.probes.resize(4);
@@ -129,3 +164,5 @@ TEST_CASE("a plot's line is whole or dashed, and its axis starts where it is ask
   CHECK_THAT(gnuplot_script({.curves = {dashed}}),
              Catch::Contains("with lines dashtype 2") && Catch::Contains("set yrange [0:*]"));
 }
+
+}  // namespace app_probes_tests
