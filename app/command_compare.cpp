@@ -85,7 +85,7 @@ ComparisonReport compared(PictureSource& a, PictureSource& b, const CompareOptio
       throw InputError(fmt::format(
           "{}: the differences would take the place of these pictures; give another folder by -o",
           source->path().string()));
-  fs::create_directories(differences);
+  output::make_folders(differences);
   output::remove_part_files(differences);
   remove_pictures(differences);
   ComparisonReport comparison{.title = "Spindrift comparison",

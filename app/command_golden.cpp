@@ -88,7 +88,7 @@ class GoldenRun {
     const bool existed = fs::exists(file);
     if (existed && has_pixels(file, result))
       return say(file, "as before");
-    fs::create_directories(file.parent_path());
+    output::make_folders(file.parent_path());
     output::write_png(file, result);
     say(file, existed ? "changed" : "new");
   }
@@ -131,7 +131,7 @@ class GoldenRun {
             const std::vector<float>& flip) {
     report_.pairs.back().shown = shown_pair(reference, result, flip);
     const auto write = [&](const fs::path& name, const Image& image) {
-      fs::create_directories((options_.output / name).parent_path());
+      output::make_folders((options_.output / name).parent_path());
       output::write_png(options_.output / name, image);
     };
     write(fs::path(golden.name) / "reference" / file.filename(), reference);

@@ -62,7 +62,7 @@ std::string holder(const fs::path& file) {
 }  // namespace
 
 FolderLock::FolderLock(const fs::path& folder, bool wait) {
-  fs::create_directories(folder);
+  output::make_folders(folder);
   const fs::path file = folder / ".lock";
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
   if (descriptor_ < 0)

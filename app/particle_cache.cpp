@@ -130,7 +130,7 @@ std::optional<KeptFrame> ParticleCache::find(int number) const {
 }
 
 void ParticleCache::write(int number, const KeptFrame& kept) const {
-  fs::create_directories(folder_);
+  output::make_folders(folder_);
   CheckedWriter out(file(number), frame_magic);
   const sim::Frame& frame = kept.frame;
   const Header header{.label = label_of(simulation_, number),
@@ -147,7 +147,7 @@ void ParticleCache::write(int number, const KeptFrame& kept) const {
 
 void ParticleCache::write_readings(int number, const std::string& name,
                                    const std::vector<double>& values) const {
-  fs::create_directories(folder_);
+  output::make_folders(folder_);
   CheckedWriter out(folder_ / fmt::format("{:04}.{}", number, name), readings_magic);
   const Label label = label_of(simulation_, number);
   out.write(std::as_bytes(std::span(&label, 1)));
@@ -169,7 +169,7 @@ std::optional<std::vector<double>> ParticleCache::read_readings(int number,
 }
 
 void ParticleCache::write_record(const SimulationRecord& record) const {
-  fs::create_directories(folder_);
+  output::make_folders(folder_);
   output::write_file(folder_ / simulation_record_file, json_of(record).dump(1) + "\n");
 }
 

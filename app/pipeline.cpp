@@ -277,7 +277,7 @@ class Pipeline {
       kept.frame = sim::in_sight(scene_.simulation, std::move(kept.frame));
       if (options_.simulate_only) {
         if (options_.export_particles) {
-          fs::create_directories(options_.output / "particles_ply");
+          output::make_folders(options_.output / "particles_ply");
           export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
                            kept.frame, scene_.simulation.exchanges_particles());
         }
@@ -322,11 +322,11 @@ class Pipeline {
   }
 
   void make_folders() {
-    fs::create_directories(options_.output / "frames");
+    output::make_folders(options_.output / "frames");
     if (options_.export_meshes)
-      fs::create_directories(options_.output / "meshes");
+      output::make_folders(options_.output / "meshes");
     if (options_.export_particles)
-      fs::create_directories(options_.output / "particles_ply");
+      output::make_folders(options_.output / "particles_ply");
   }
 
   const Scene& scene_;

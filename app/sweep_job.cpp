@@ -175,7 +175,7 @@ Json compare_job(const SweepPlan& plan, const SweepFolder& folder, const SweepPa
 }
 
 std::string do_apart(const Json& job, const std::atomic<bool>& stop) {
-  fs::create_directories(job.at("output").get<std::string>());
+  output::make_folders(job.at("output").get<std::string>());
   const ProcessResult child = run_process({"/proc/self/exe", "sweep-job"}, job.dump(), stop);
   return child.exit_code == done ? std::string() : complaint(child);
 }

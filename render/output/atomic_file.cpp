@@ -53,6 +53,23 @@ bool is_part(const std::string& name) {
 
 }  // namespace
 
+void make_folders(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error)
+    return;
+  std::filesystem::path part;
+  for (const std::filesystem::path& name : folder) {
+    part /= name;
+    std::error_code ignored;
+    const auto status = std::filesystem::status(part, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
+      throw std::runtime_error("cannot make the folder " + folder.string() + ": " + part.string() +
+                               " is a file");
+  }
+  throw std::runtime_error("cannot make the folder " + folder.string() + ": " + error.message());
+}
+
 std::filesystem::path part_name(const std::filesystem::path& file) {
   return temporary_for(file, 0);
 }

@@ -47,6 +47,10 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// Makes a folder, and those that it is in, where they are not there yet. Errors are as above;
+/// where a file is in the way they name it.
+void make_folders(const std::filesystem::path& folder);
+
 /// A hidden name beside a file's own for a file that is not complete yet, with its extension.
 std::filesystem::path part_name(const std::filesystem::path& file);
 

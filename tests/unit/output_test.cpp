@@ -6,6 +6,8 @@
 #include "render/output/output.hpp"
 #include "render/shortage.hpp"
 
+namespace output_tests {
+
 using namespace spindrift;
 using namespace spindrift::output_test;
 using Catch::Matchers::Contains;
@@ -86,6 +88,18 @@ TEST_CASE("A file that cannot be created is an error with its name and the reaso
     REQUIRE_THROWS_WITH(output::write_file(folder / "locked/report.json", "x"),
                         Contains("locked/report.json") && Contains("Permission denied"));
   }
+}
+
+TEST_CASE("A file where a folder is to be is named") {
+  const TemporaryFolder folder;
+  output::write_file(folder / "out", "");
+  CHECK_THROWS_WITH(output::make_folders(folder / "out"), Catch::EndsWith("out is a file"));
+  CHECK_THROWS_WITH(output::make_folders(folder / "out/run/frames"),
+                    Catch::StartsWith("cannot make the folder " + (folder / "out/run").string()) &&
+                        Catch::EndsWith(": " + (folder / "out").string() + " is a file"));
+  output::make_folders(folder / "new/run");
+  output::make_folders(folder / "new/run");
+  CHECK(std::filesystem::is_directory(folder / "new/run"));
 }
 
 TEST_CASE("A device is never replaced by a file") {
@@ -221,3 +235,5 @@ TEST_CASE("What the system gives too little of is told with the limit") {
   REQUIRE(too_much);
   CHECK_THAT(*too_much, Contains("MiB of memory more"));
 }
+
+}  // namespace output_tests
