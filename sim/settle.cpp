@@ -1,16 +1,19 @@
 #include "sim/settle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "sim/pcisph.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// Sweeps after which there is taken to be no room for the liquid.
+/// Sweeps after which the liquid is taken to find no rest.
 constexpr int most_sweeps = 400;
 
 /// Part of the compression that a sweep may leave; more where that asks too much.
@@ -22,11 +25,29 @@ constexpr float same_place = 0.01f;
 struct Compression {
   double sum = 0;
   float largest = 0;
+  Vec3<float> where{};  ///< the largest is, m
   SPINDRIFT_HD void join(const Compression& o) {
     sum += o.sum;
-    largest = std::max(largest, o.largest);
+    if (o.largest > largest) {
+      largest = o.largest;
+      where = o.where;
+    }
   }
 };
+
+std::string no_rest(const Compression& left, std::uint32_t count, const SolverSettings& settings) {
+  std::array<char, 512> text{};
+  std::snprintf(text.data(), text.size(),
+                "the liquid finds no rest before time begins: after %d rounds of moving particles "
+                "apart it is compressed by %.3g %% on average and by %.3g %% near [%.3g, %.3g, "
+                "%.3g], and by %.3g %% and %.3g %% it may be. Where volumes overlap or reach into "
+                "walls, make them smaller or the domain larger; else raise "
+                "solver.mean_compression or solver.max_compression",
+                most_sweeps, 100 * left.sum / count, 100. * left.largest, left.where.x,
+                left.where.y, left.where.z, 100. * settings.mean_compression,
+                100. * settings.max_compression);
+  return text.data();
+}
 
 /// A direction that depends on the number alone (golden-angle spiral on the sphere).
 SPINDRIFT_HD Vec3<float> direction_of(std::uint32_t id) {
@@ -63,9 +84,7 @@ struct Settling {
       part_coincident();
       ease(1 + found.largest);
     }
-    throw std::invalid_argument(
-        "the domain has no room for the liquid: its volumes overlap each other or the walls; "
-        "make fluid.volumes smaller or domain larger");
+    throw std::invalid_argument(no_rest(compression(), particles.count, settings));
   }
 
   void find_neighbours() {
@@ -90,7 +109,7 @@ struct Settling {
       above[i] = is_held(held, i)
                      ? 0
                      : std::max(0.f, density_ratio(i, c, kernel, position, neighbours, solid) - 1);
-      return Compression{above[i], above[i]};
+      return Compression{above[i], above[i], position[i]};
     };
     return executor.reduce<Compression>("settle", particles.count, measure_one);
   }

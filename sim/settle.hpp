@@ -13,7 +13,8 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 /// alone, and what a nozzle moves.
 /// @param radius within which neighbours are listed, m
 /// @return how many sweeps it took; 0 where nothing was too dense
-/// @throws std::invalid_argument when the domain has no room for the liquid
+/// @throws std::invalid_argument when it is too dense after hundreds of sweeps, which says how much
+/// and where
 int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, Inflow& inflow,
            const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
            const ContactView& contact, float radius);

@@ -15,6 +15,8 @@
 #include "sim/simulation.hpp"
 #include "sim/time_step.hpp"
 
+namespace sim_step_tests {
+
 using namespace spindrift::sim;
 using glm::dvec3;
 
@@ -386,6 +388,17 @@ TEST_CASE("a run is told to stop while liquid is let apart that has no room", "[
   CHECK_NOTHROW(simulation.advance_to(0.1, &stop));  // without it there is an error in the end
 }
 
+TEST_CASE("liquid that has no room is told by how much and where") {
+  Settings s;
+  s.fluid.spacing = 0.1f;
+  s.domain = {{0, 0, 0}, {0.8f, 0.8f, 0.8f}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.8f, 0.8f, 0.8f}}}, {Box{{0, 0, 0}, {0.8f, 0.1f, 0.8f}}}};
+  Simulation simulation(s);
+  CHECK_THROWS_WITH(simulation.advance_to(0.1),
+                    Catch::Contains("finds no rest") && Catch::Contains("is compressed by 1") &&
+                        Catch::Contains("by 0.1 % and 2.5 % it may be"));
+}
+
 TEST_CASE("a tighter tolerance gives a smaller measured error") {
   Settings s;
   s.fluid.spacing = 0.06f;
@@ -428,3 +441,5 @@ TEST_CASE("a scene without particles is refused") {
   s.fluid.volumes.clear();
   CHECK_THROWS_AS(Simulation(s), std::invalid_argument);
 }
+
+}  // namespace sim_step_tests
