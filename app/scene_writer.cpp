@@ -35,23 +35,27 @@ namespace {
 
 /// A value on one line, as people write it: {"min": [0, 1, 2]}.
 std::string one_line(const Json& json) {
+  const std::string dense = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;
-  const char* separator = "";
-  if (json.is_array()) {
-    for (const Json& entry : json) {
-      text += separator + one_line(entry);
-      separator = ", ";
-    }
-    return "[" + text + "]";
+  bool quoted = false;
+  for (std::size_t i = 0; i < dense.size(); ++i) {
+    text += dense[i];
+    if (quoted && dense[i] == '\\')
+      text += dense[++i];
+    else if (dense[i] == '"')
+      quoted = !quoted;
+    else if (!quoted && (dense[i] == ',' || dense[i] == ':'))
+      text += ' ';
   }
-  if (json.is_object()) {
-    for (const auto& [key, value] : json.items()) {
-      text += separator + Json(key).dump() + ": " + one_line(value);
-      separator = ", ";
-    }
-    return "{" + text + "}";
-  }
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text;
+}
+
+/// A value on lines of its own where it does not fit one.
+void write_text(const Json& json, std::size_t indent, std::size_t key_width, std::string& out);
+
+void write_entry(const std::string& name, const Json& value, std::size_t indent, std::string& out) {
+  out += std::string(indent, ' ') + name;
+  write_text(value, indent, name.size(), out);
 }
 
 void write_text(const Json& json, std::size_t indent, std::size_t key_width, std::string& out) {
@@ -66,11 +70,18 @@ void write_text(const Json& json, std::size_t indent, std::size_t key_width, std
   }
   out += json.is_array() ? "[" : "{";
   const char* separator = "\n";
-  for (const auto& [key, value] : json.items()) {
-    const std::string name = json.is_array() ? "" : Json(key).dump() + ": ";
-    out += separator + std::string(indent + 2, ' ') + name;
-    write_text(value, indent + 2, name.size(), out);
-    separator = ",\n";
+  if (json.is_array()) {
+    for (const Json& entry : json) {
+      out += separator;
+      write_entry("", entry, indent + 2, out);
+      separator = ",\n";
+    }
+  } else {
+    for (const auto& [key, value] : json.items()) {
+      out += separator;
+      write_entry(one_line(key) + ": ", value, indent + 2, out);
+      separator = ",\n";
+    }
   }
   out += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
 }

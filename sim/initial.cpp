@@ -36,11 +36,17 @@ bool is_outside(const DomainSettings& domain, const glm::vec3& p) {
   return glm::any(glm::lessThan(p, domain.min)) || glm::any(glm::greaterThan(p, domain.max));
 }
 
+enum class Wanted { particles, counts };
+
 /// Fills volumes one after the other.
 class Filling {
  public:
-  Filling(const Settings& settings, Stop stop)
-      : settings_(settings), stop_(stop), bodies_(settings), edge_(particle_spacing(settings)) {}
+  Filling(const Settings& settings, Wanted wanted, Stop stop)
+      : settings_(settings),
+        wanted_(wanted),
+        stop_(stop),
+        bodies_(settings),
+        edge_(particle_spacing(settings)) {}
 
   void add(const Volume& volume) {
     const Shape inside = within_domain(volume.shape, settings_.domain);
@@ -77,6 +83,8 @@ class Filling {
       return;
     }
     ++result.placed;
+    if (wanted_ == Wanted::counts)
+      return;
     if (!settings_.obstacles.empty())
       axes_.push_back(axes_held(p, step, shape));
     initial_.positions.push_back(bodies_.push_out(p));
@@ -118,6 +126,7 @@ class Filling {
   }
 
   const Settings& settings_;
+  Wanted wanted_;
   Stop stop_;
   StandingBodies bodies_;
   float edge_;  ///< m
@@ -130,14 +139,14 @@ class Filling {
 }  // namespace
 
 InitialParticles fill_volumes(const Settings& settings, Stop stop) {
-  Filling filling(settings, stop);
+  Filling filling(settings, Wanted::particles, stop);
   for (const Volume& volume : settings.fluid.volumes)
     filling.add(volume);
   return filling.take();
 }
 
 std::vector<FilledVolume> count_volumes(const Settings& settings) {
-  Filling filling(settings, nullptr);
+  Filling filling(settings, Wanted::counts, nullptr);
   for (const Volume& volume : settings.fluid.volumes)
     filling.add(volume);
   return filling.counts();
