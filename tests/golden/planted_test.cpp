@@ -15,6 +15,8 @@
 #include "render/output/output.hpp"
 
 namespace fs = std::filesystem;
+namespace planted_tests {
+
 using namespace spindrift;
 
 namespace {
@@ -189,3 +191,5 @@ TEST_CASE(
       Planting(list, golden).check();
     }
 }
+
+}  // namespace planted_tests

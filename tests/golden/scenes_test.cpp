@@ -10,6 +10,8 @@
 #include "gl_support.hpp"
 
 namespace fs = std::filesystem;
+namespace scenes_tests {
+
 using namespace spindrift;
 
 TEST_CASE("every shipped scene has a golden frame") {
@@ -47,3 +49,5 @@ TEST_CASE("wrong normals are beyond the tolerance of golden tests") {
     return glm::vec3(glm::rotate(glm::mat4(1), glm::radians(20.f), {0, 0, 1}) * glm::vec4(n, 0));
   }));
 }
+
+}  // namespace scenes_tests

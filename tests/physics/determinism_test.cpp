@@ -4,6 +4,8 @@
 #include "same_frames.hpp"
 #include "sim/simulation.hpp"
 
+namespace determinism_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -62,3 +64,5 @@ TEST_CASE("a frame of another scene is refused") {
   const Frame frame = Simulation(other).frame();
   CHECK_THROWS_AS(Simulation(s, frame), std::invalid_argument);
 }
+
+}  // namespace determinism_tests

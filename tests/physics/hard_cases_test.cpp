@@ -5,6 +5,8 @@
 #include "hard_cases.hpp"
 #include "sim/initial.hpp"
 
+namespace hard_cases_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -210,3 +212,5 @@ TEST_CASE("hard: a column 100 particles tall and 5 wide that stands free", "[har
   const Settings s = column(solver, 25 * d);
   check("a column 100 tall, 5 wide, free", s, watch(s, 1, 30));
 }
+
+}  // namespace hard_cases_tests

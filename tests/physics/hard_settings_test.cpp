@@ -6,6 +6,8 @@
 #include "hard_cases.hpp"
 #include "same_frames.hpp"
 
+namespace hard_settings_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -150,3 +152,5 @@ TEST_CASE("hard: the same bytes for one, two and four threads", "[hard][slow]") 
   const Settings s = GENERATE_COPY(jets(solver), overlap(solver), column(solver, 7 * d));
   check_same_for_threads(s, {0.02});
 }
+
+}  // namespace hard_settings_tests

@@ -12,6 +12,8 @@
 #include "sim/probes.hpp"
 #include "sim/simulation.hpp"
 
+namespace inflow_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -304,3 +306,5 @@ TEST_CASE("an emitter in a wall that is off leaves the liquid as it is without o
   CHECK(fb.max_compression < s.solver.max_compression);
   CHECK(b.particle_count() == a.particle_count());
 }
+
+}  // namespace inflow_tests

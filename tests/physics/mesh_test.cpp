@@ -5,6 +5,8 @@
 #include "mesh_support.hpp"
 #include "sim/simulation.hpp"
 
+namespace mesh_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -96,3 +98,5 @@ TEST_CASE("water dropped on a ring and a capsule stays out of them") {
     }
   }
 }
+
+}  // namespace mesh_tests

@@ -5,6 +5,8 @@
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
+namespace motion_tests {
+
 using namespace spindrift::sim;
 using glm::dvec3;
 
@@ -91,3 +93,5 @@ TEST_CASE("a collision never makes energy", "[slow]") {
     energy = next;
   }
 }
+
+}  // namespace motion_tests

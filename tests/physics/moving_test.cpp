@@ -8,6 +8,8 @@
 #include "same_frames.hpp"
 #include "sim/motion.hpp"
 
+namespace moving_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -260,3 +262,5 @@ TEST_CASE("water that sticks to two plates that move apart has the straight prof
   }
   CHECK(std::sqrt(error / norm) < 0.06);
 }
+
+}  // namespace moving_tests

@@ -7,6 +7,8 @@
 #include "sim/simulation.hpp"
 #include "sim/solid.hpp"
 
+namespace placement_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("liquid that is brought to rest beside a body keeps its speed, as all 
   CHECK(furthest > 0.001f);
   CHECK(furthest < 0.05f);
 }
+
+}  // namespace placement_tests

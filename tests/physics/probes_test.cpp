@@ -4,6 +4,8 @@
 
 #include "sim/probes.hpp"
 
+namespace probes_tests {
+
 using namespace spindrift::sim;
 
 TEST_CASE("probes in a tank at rest read its height, ρgh and its energy", "[slow]") {
@@ -54,3 +56,5 @@ TEST_CASE("the front of a dam break runs on without turning back, and arrives at
   CHECK(front_position(simulation.frame(), s.fluid.spacing, Direction::minus_x) ==
         Approx(0).margin(0.5 * double{s.fluid.spacing}));
 }
+
+}  // namespace probes_tests

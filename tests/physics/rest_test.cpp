@@ -6,6 +6,8 @@
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
+namespace rest_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("water dropped into a corner stays inside, keeps its number and its de
     CHECK(glm::length(p - glm::vec3(0.4f, 0.2f, 0.3f)) >= 0.2f - 1e-5f);
   }
 }
+
+}  // namespace rest_tests

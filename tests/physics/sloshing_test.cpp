@@ -7,6 +7,8 @@
 #include "hard_cases.hpp"
 #include "sim/motion.hpp"
 
+namespace sloshing_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -103,3 +105,5 @@ TEST_CASE("hard: a closed tank rocked for twelve periods answers at its lowest f
   CHECK(*std::min_element(at.begin() + 2, at.end()) >
         2 * *std::max_element(above.begin() + 2, above.end()));
 }
+
+}  // namespace sloshing_tests

@@ -12,6 +12,8 @@
 #include "invariants.hpp"
 #include "sim/simulation.hpp"
 
+namespace surface_tension_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -336,3 +338,5 @@ TEST_CASE("drops are the same bytes for all threads, and when a run is gone on w
     CHECK(end.pressures == ends[0].pressures);
   }
 }
+
+}  // namespace surface_tension_tests

@@ -12,6 +12,8 @@
 
 #include "invariants.hpp"
 
+namespace validation_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -221,3 +223,5 @@ TEST_CASE("validation: finer columns' fronts converge, and run as measured", "[v
   check_aligned(front_errors({40, 1e-3f}));
   check_aligned(front_errors({40, 1e-4f, true}));
 }
+
+}  // namespace validation_tests

@@ -8,6 +8,8 @@
 
 #include "invariants.hpp"
 
+namespace validation_water_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -189,3 +191,5 @@ TEST_CASE("validation: a finer standing wave has the period of ω² = gk tanh(kh
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   CHECK(wave_error(solver, 0.025, 0.06) < 0.02);
 }
+
+}  // namespace validation_water_tests

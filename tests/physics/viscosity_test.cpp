@@ -5,6 +5,8 @@
 
 #include "sim/simulation.hpp"
 
+namespace viscosity_tests {
+
 using namespace spindrift::sim;
 using glm::dvec3;
 
@@ -122,3 +124,5 @@ TEST_CASE("thick liquid needs no small steps, and creeps") {
   CHECK(end.kinetic_energy + end.potential_energy < start.potential_energy);
   CHECK(end.kinetic_energy < 0.02 * (start.potential_energy - end.potential_energy));
 }
+
+}  // namespace viscosity_tests

@@ -9,6 +9,8 @@
 #include "sim/motion.hpp"
 #include "sim/simulation.hpp"
 
+namespace walls_tests {
+
 using namespace spindrift::sim;
 using namespace spindrift::test;
 
@@ -152,3 +154,5 @@ TEST_CASE("nothing creeps out where the plates of a thin box meet") {
     }
   });
 }
+
+}  // namespace walls_tests

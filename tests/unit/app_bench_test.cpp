@@ -15,6 +15,8 @@
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
+namespace app_bench_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 
@@ -321,3 +323,5 @@ TEST_CASE("a program is run with its input, and ended when asked") {
   CHECK(run_process({"sleep", "60"}, "", stop).exit_code == 128 + 9);
   CHECK_THROWS_AS(run_process({"no-such-program"}, "", go_on), std::system_error);
 }
+
+}  // namespace app_bench_tests

@@ -10,6 +10,8 @@
 #include "app/obstacle_mesh.hpp"
 #include "sim/shapes/measures.hpp"
 
+namespace app_camera_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 
@@ -152,3 +154,5 @@ TEST_CASE("no obstacles make an empty mesh, several are put together") {
   CHECK(tessellate(two).triangles.size() ==
         mesh_of(sim::Box{}).triangles.size() + mesh_of(sim::Sphere{}).triangles.size());
 }
+
+}  // namespace app_camera_tests

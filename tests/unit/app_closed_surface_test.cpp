@@ -11,6 +11,8 @@
 #include "mesh_support.hpp"
 #include "render/output/input_file.hpp"
 
+namespace app_closed_surface_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 using namespace spindrift::test;
@@ -136,3 +138,5 @@ TEST_CASE("many parts are told apart in time") {
   CHECK(inner_shells(closed) == 8000);
   CHECK(enclosed_volume(closed) == Approx(41 * 41 * 41 - 1000));
 }
+
+}  // namespace app_closed_surface_tests

@@ -10,6 +10,8 @@
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
 
+namespace app_compare_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 using namespace spindrift::output_test;
@@ -170,3 +172,5 @@ TEST_CASE("what can't be compared is refused with its name and its sizes") {
   CHECK_THAT(complaint("glass.png", "glass.png"), Contains("glass.png: it is transparent"));
   CHECK_THAT(complaint("deep.png", "deep.png"), Contains("deep.png: it has 16-bit samples"));
 }
+
+}  // namespace app_compare_tests

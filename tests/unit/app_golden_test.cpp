@@ -4,6 +4,8 @@
 #include "app/golden_list.hpp"
 #include "output_support.hpp"
 
+namespace app_golden_tests {
+
 using namespace spindrift::app;
 using spindrift::output_test::TemporaryFolder;
 
@@ -118,3 +120,5 @@ TEST_CASE("all that is wrong with a list is told at once") {
                            "goldens[1].set[1]: look.stile: unknown key"})
     CHECK(message.find(part) != message.npos);
 }
+
+}  // namespace app_golden_tests

@@ -16,6 +16,8 @@
 #include "render/output/input_file.hpp"
 
 namespace fs = std::filesystem;
+namespace app_kept_tests {
+
 using namespace spindrift;
 using output_test::TemporaryFolder;
 
@@ -184,3 +186,5 @@ TEST_CASE("a log is told at the beginning and after each tenth") {
     told += pace.is_due(k / 1000.);
   CHECK(told == 11);
 }
+
+}  // namespace app_kept_tests

@@ -16,6 +16,8 @@
 #include "mesh_support.hpp"
 #include "output_support.hpp"
 
+namespace app_mesh_reader_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 using namespace spindrift::test;
@@ -233,3 +235,5 @@ TEST_CASE("polygons of many corners are cut in time, or refused") {
   cut_polygon(vertices, corners, triangles);
   CHECK(triangles.size() == 998);
 }
+
+}  // namespace app_mesh_reader_tests

@@ -19,6 +19,8 @@
 #include "sim/shapes.hpp"
 #include "sim/shapes/measures.hpp"
 
+namespace app_mesh_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 using namespace spindrift::test;
@@ -358,3 +360,5 @@ TEST_CASE("a drawn mesh is smooth where it is round and sharp at its edges") {
     }
   }
 }
+
+}  // namespace app_mesh_tests

@@ -5,6 +5,8 @@
 #include "app/obstacle_mesh.hpp"
 #include "app/scene.hpp"
 
+namespace app_moving_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 
@@ -77,3 +79,5 @@ TEST_CASE("obstacles are drawn where they are at the picture's time") {
   CHECK(glm::all(glm::lessThan(reach[0], glm::min(at_start.min, at_end.min))));
   CHECK(glm::all(glm::greaterThan(reach[1], glm::max(at_start.max, at_end.max))));
 }
+
+}  // namespace app_moving_tests

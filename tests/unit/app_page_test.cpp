@@ -11,6 +11,8 @@
 #include "app/probes_page.hpp"
 #include "app/sweep_page.hpp"
 
+namespace app_page_tests {
+
 using namespace spindrift::app;
 using Catch::Contains;
 
@@ -159,3 +161,5 @@ TEST_CASE("that gnuplot can't be run is told with the reason, not as if it were 
   REQUIRE(::setrlimit(RLIMIT_NOFILE, &before) == 0);
   CHECK_THAT(draw.failure(), Contains("Too many open files") && !Contains("install"));
 }
+
+}  // namespace app_page_tests

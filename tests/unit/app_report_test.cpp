@@ -3,6 +3,8 @@
 
 #include "app/report.hpp"
 
+namespace app_report_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 
@@ -29,3 +31,5 @@ TEST_CASE("a run that is compressed beyond what was asked for says so") {
   REQUIRE(warnings.size() == 1);
   CHECK(std::string(warnings[0]).find("solver.speed_of_sound") != std::string::npos);
 }
+
+}  // namespace app_report_tests

@@ -16,6 +16,8 @@
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
 
+namespace app_scene_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 
@@ -325,3 +327,5 @@ TEST_CASE("emitters alone fill an empty domain, and what they bring is counted b
   CHECK(estimate(parse(text, {"video.duration=0.5"}), 1).particles == 0);
   CHECK(simulation_hash(capped) != simulation_hash(scene));
 }
+
+}  // namespace app_scene_tests

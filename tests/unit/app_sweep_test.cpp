@@ -17,6 +17,8 @@
 #include "app/task_pool.hpp"
 #include "output_support.hpp"
 
+namespace app_sweep_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 using Catch::Matchers::Contains;
@@ -354,3 +356,5 @@ TEST_CASE("a task that fails takes those that need it with it, and no others") {
     CHECK(results[6].done);
   }
 }
+
+}  // namespace app_sweep_tests

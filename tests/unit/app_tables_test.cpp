@@ -5,6 +5,8 @@
 
 #include "app/scene_fields.hpp"
 
+namespace app_tables_tests {
+
 using namespace spindrift;
 using namespace spindrift::app;
 
@@ -77,3 +79,5 @@ TEST_CASE("every member of every settings struct has its key") {
   STATIC_REQUIRE(complete<gl::LookSettings>);
   STATIC_REQUIRE(complete<VideoConfig>);
 }
+
+}  // namespace app_tables_tests

@@ -11,6 +11,8 @@
 #include "output_support.hpp"
 #include "render/compare/metrics.hpp"
 
+namespace compare_tests {
+
 using namespace spindrift;
 using namespace spindrift::compare;
 using namespace spindrift::output_test;
@@ -336,3 +338,5 @@ TEST_CASE("the colour map grows lighter throughout, from black to light yellow")
   CHECK((map.pixels[0] == 0 && map.pixels[2] == 4));
   CHECK((map.pixels[768] == 252 && map.pixels[769] == 253 && map.pixels[770] == 191));
 }
+
+}  // namespace compare_tests

@@ -5,6 +5,8 @@
 
 #include "sim/backend.hpp"
 
+namespace device_memory_tests {
+
 using namespace spindrift::sim;
 using Catch::Matchers::Contains;
 
@@ -53,3 +55,5 @@ TEST_CASE("an array keeps its values when it grows, and its memory when it shrin
   CHECK(array.size() == 10);
   CHECK(array.capacity() == capacity);
 }
+
+}  // namespace device_memory_tests

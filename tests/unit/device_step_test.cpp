@@ -14,6 +14,8 @@
 #include "sim/shapes/mesh_body.hpp"
 #include "sim/simulation.hpp"
 
+namespace device_step_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -317,3 +319,5 @@ TEST_CASE("a particle of a large liquid takes as much of the device's memory as 
   CHECK(bytes <= device::bytes_per_particle);
   CHECK(bytes > 0.8 * device::bytes_per_particle);
 }
+
+}  // namespace device_step_tests

@@ -8,6 +8,8 @@
 #include "render/compare/metrics.hpp"
 #include "render/output/output.hpp"
 
+namespace gl_golden_tests {
+
 using namespace spindrift;
 using namespace spindrift::gl;
 using namespace spindrift::gl::test;
@@ -83,3 +85,5 @@ TEST_CASE("particles look as they did") {
   check_golden("particles",
                renderer.draw(ParticleCloud{positions, values, 0.5f * spacing}, view()));
 }
+
+}  // namespace gl_golden_tests

@@ -6,6 +6,8 @@
 #include "render/gl/egl_devices.hpp"
 #include "render/gl/egl_failure.hpp"
 
+namespace gl_tests {
+
 using namespace spindrift;
 using namespace spindrift::gl;
 using namespace spindrift::gl::test;
@@ -386,3 +388,5 @@ TEST_CASE("a floor seen from below is not there") {
   Renderer floored(width, height, look, {}, {});
   CHECK(floored.draw(Mesh{}, view).pixels == bare.draw(Mesh{}, view).pixels);
 }
+
+}  // namespace gl_tests

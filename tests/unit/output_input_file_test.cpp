@@ -6,6 +6,8 @@
 #include "output_support.hpp"
 #include "render/output/input_file.hpp"
 
+namespace output_input_file_tests {
+
 using namespace spindrift;
 using output_test::TemporaryFolder;
 
@@ -36,3 +38,5 @@ TEST_CASE("what is no regular file is refused at once, in words") {
   CHECK(reason(folder / "none") == (folder / "none").string() + ": there is no such file");
   REQUIRE_THROWS(output::read_file(pipe));
 }
+
+}  // namespace output_input_file_tests

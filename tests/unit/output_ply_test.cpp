@@ -7,6 +7,8 @@
 #include "output_support.hpp"
 #include "render/output/output.hpp"
 
+namespace output_ply_tests {
+
 using namespace spindrift;
 using namespace spindrift::output_test;
 using Catch::Matchers::Contains;
@@ -143,3 +145,5 @@ TEST_CASE("A PLY that cannot be written is an error with its name") {
   }));
   REQUIRE(folder.entries() == 0);
 }
+
+}  // namespace output_ply_tests

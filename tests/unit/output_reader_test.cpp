@@ -10,6 +10,8 @@
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
 
+namespace output_reader_tests {
+
 using namespace spindrift;
 using namespace spindrift::output;
 using namespace spindrift::output_test;
@@ -168,3 +170,5 @@ TEST_CASE("an encoded PNG is the file's content") {
         std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   CHECK_THROWS_AS(encode_png(Image()), std::invalid_argument);
 }
+
+}  // namespace output_reader_tests

@@ -14,6 +14,8 @@ extern "C" {
 #include "output_support.hpp"
 #include "render/output/output.hpp"
 
+namespace output_video_tests {
+
 using namespace spindrift;
 using namespace spindrift::output_test;
 using Catch::Matchers::Contains;
@@ -448,3 +450,5 @@ TEST_CASE("The encoder is named with the versions of its libraries") {
   REQUIRE_THAT(output::encoder_info(),
                Contains("264") && Contains("libavcodec ") && Contains("libavformat "));
 }
+
+}  // namespace output_video_tests

@@ -9,6 +9,8 @@
 #include "sim/shapes.hpp"
 #include "sim/simulation.hpp"
 
+namespace sim_boundary_tests {
+
 using namespace spindrift::sim;
 using spindrift::test::positions;
 
@@ -116,3 +118,5 @@ TEST_CASE("contact leaves points in the open alone and takes others to the neare
   CHECK(at(7, 2.4f, 1.4f) == glm::vec3(7, 2.4f, 1.4f));
   CHECK(glm::length(at(7, 1.5f, 1) - glm::vec3(7, 1.5f, 1)) == Approx(0.5f));
 }
+
+}  // namespace sim_boundary_tests

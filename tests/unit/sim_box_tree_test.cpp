@@ -6,6 +6,8 @@
 #include "sim/box_tree.hpp"
 #include "sim/shapes.hpp"
 
+namespace sim_box_tree_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -46,3 +48,5 @@ TEST_CASE("a tree of boxes finds all that lie in one place, and what only touche
   tree.find({glm::vec3(1.01f), glm::vec3(2)}, found);
   CHECK(found.empty());
 }
+
+}  // namespace sim_box_tree_tests

@@ -6,6 +6,8 @@
 
 #include "sim/particles.hpp"
 
+namespace sim_executor_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -163,3 +165,5 @@ TEST_CASE("terms are added at their places in their order") {
   for (std::uint32_t p = 0; p < places; ++p)
     REQUIRE(field[p] == expected[p]);
 }
+
+}  // namespace sim_executor_tests

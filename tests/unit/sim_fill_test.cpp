@@ -12,6 +12,8 @@
 #include "sim/simulation.hpp"
 #include "sim/solid.hpp"
 
+namespace sim_fill_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -142,3 +144,5 @@ TEST_CASE("making the samples of walls hears that it is no longer wanted") {
   CHECK_THROWS_AS(Simulation(s, &stop), Stopped);
   later.join();
 }
+
+}  // namespace sim_fill_tests

@@ -9,6 +9,8 @@
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
 
+namespace sim_kernels_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -130,3 +132,5 @@ TEST_CASE("a full lattice has the rest density, no net gradient and about 33 nei
   CHECK(neighbours == 27);  // 33 with the six at exactly the support radius, where kernels are zero
   CHECK(lattice_gradient_product(kernel, kernel, spacing, radius) == Approx(product).epsilon(1e-6));
 }
+
+}  // namespace sim_kernels_tests

@@ -8,6 +8,8 @@
 #include "sim/motion.hpp"
 #include "sim/moving_bodies.hpp"
 
+namespace sim_motion_tests {
+
 using namespace spindrift::sim;
 using glm::dvec3;
 
@@ -185,3 +187,5 @@ TEST_CASE("liquid is left out where a body that moves starts") {
   s.obstacles[0].motion->spin = Spin{};
   CHECK(fill_volumes(s).positions.size() == 1000 - 64);
 }
+
+}  // namespace sim_motion_tests

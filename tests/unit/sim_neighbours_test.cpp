@@ -8,6 +8,8 @@
 
 #include "sim/particles.hpp"
 
+namespace sim_neighbours_tests {
+
 using namespace spindrift::sim;
 
 namespace {
@@ -207,3 +209,5 @@ TEST_CASE("weights of the cells around a cell are applied as they stand") {
 TEST_CASE("a domain with too many cells for a key is refused") {
   CHECK_THROWS_AS(GridMap::over({0, 0, 0}, {1e8f, 1, 1}, 0.1f), std::invalid_argument);
 }
+
+}  // namespace sim_neighbours_tests

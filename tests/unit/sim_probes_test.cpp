@@ -6,6 +6,8 @@
 #include "sim/initial.hpp"
 #include "sim/probes.hpp"
 
+namespace sim_probes_tests {
+
 using namespace spindrift::sim;
 using glm::vec3;
 
@@ -229,3 +231,5 @@ TEST_CASE("a probe has a number for each of its columns, named after it with the
   const auto e = measure(energy, frame, s);
   CHECK(e[2] == e[0] + e[1]);
 }
+
+}  // namespace sim_probes_tests

@@ -8,6 +8,8 @@
 #include "render/surface/smoothing.hpp"
 #include "surface_support.hpp"
 
+namespace surface_internals_tests {
+
 using namespace spindrift;
 using namespace spindrift::surface;
 using namespace spindrift::test;
@@ -232,3 +234,5 @@ TEST_CASE("smoothing keeps thin features still and flattens noise over the bulk"
   smooth_mesh(still, std::vector<float>(noisy.vertices.size(), 0.5f), 10);
   CHECK(still.vertices == noisy.vertices);
 }
+
+}  // namespace surface_internals_tests

@@ -8,6 +8,8 @@
 
 #include "surface_support.hpp"
 
+namespace surface_tests {
+
 using namespace spindrift;
 using namespace spindrift::surface;
 using namespace spindrift::test;
@@ -268,3 +270,5 @@ TEST_CASE("settings out of range are errors that tell the range") {
   settings.smoothing = -1;
   CHECK_THROWS_WITH(mesh_of(points, settings), Catch::Contains("0 ... 100"));
 }
+
+}  // namespace surface_tests
