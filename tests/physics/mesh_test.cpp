@@ -54,7 +54,8 @@ TEST_CASE("a cup of triangles holds water, however thin its walls", "[slow]") {
   CHECK(end.potential_energy < start.potential_energy);
 }
 
-TEST_CASE("water at rest on both sides of a thin plate of triangles stays so, and off it") {
+TEST_CASE("water at rest on both sides of a thin plate of triangles stays so, and off it",
+          "[slow]") {
   const float wall = GENERATE(0.3f, 1.5f) * d;
   CAPTURE(wall / d);
   // The first particles are a spacing from the samples.
@@ -78,7 +79,7 @@ TEST_CASE("water at rest on both sides of a thin plate of triangles stays so, an
   CHECK(left == 12 * 15 * 10);
 }
 
-TEST_CASE("water dropped on a ring and a capsule stays out of them") {
+TEST_CASE("water dropped on a ring and a capsule stays out of them", "[slow]") {
   Settings s;
   s.fluid.spacing = 0.05f;
   s.domain = {{-0.7f, -0.3f, -0.7f}, {0.7f, 1, 0.7f}};

@@ -198,16 +198,16 @@ double difference(const std::vector<FrontPoint>& a, const std::vector<FrontPoint
 }  // namespace
 
 TEST_CASE("validation: a column's front runs as measured", "[validation][slow]") {
-  const float mean_compression = GENERATE(1e-3f, 1e-4f);
-  check_aligned(front_errors({20, mean_compression}));
+  check_aligned(front_errors({20, 1e-3f}));
 }
 
-TEST_CASE("validation: a gate that is pulled up does not hold the front back",
+TEST_CASE("validation: a gate that is pulled up does not hold a column's front back",
           "[validation][slow]") {
   const Collapse at_once{20}, gate{20, 1e-4f, true};
-  const std::vector<FrontPoint> front = simulated_front(gate);
-  check_aligned(front_errors(gate, front));
-  CHECK(difference(front, simulated_front(at_once)) < 0.1);
+  const std::vector<FrontPoint> front = simulated_front(at_once), behind = simulated_front(gate);
+  check_aligned(front_errors(at_once, front));
+  check_aligned(front_errors(gate, behind));
+  CHECK(difference(behind, front) < 0.1);
 }
 
 // From release the errors are 8 to 17 %, and grow towards those of the limit: at once and without

@@ -62,7 +62,7 @@ float above(const glm::vec3& p, const glm::vec3& point, const glm::vec3& normal)
 
 }  // namespace
 
-TEST_CASE("nothing comes through a plate, however thin, of any kind") {
+TEST_CASE("nothing comes through a plate, however thin, of any kind", "[slow]") {
   const Kind kind = GENERATE(Kind::box, Kind::disc, Kind::mesh);
   const float thickness = GENERATE(0.005f, 0.05f, 0.3f) * d;
   CAPTURE(static_cast<int>(kind), thickness / d);
@@ -94,7 +94,8 @@ TEST_CASE("nothing comes through a plate of triangles that stands askew") {
   });
 }
 
-TEST_CASE("nothing comes through a thin plate that is thrust through water, or turned in it") {
+TEST_CASE("nothing comes through a thin plate that is thrust through water, or turned in it",
+          "[slow]") {
   const Kind kind = GENERATE(Kind::box, Kind::mesh);
   const float thickness = GENERATE(0.005f, 0.3f) * d;
   CAPTURE(static_cast<int>(kind), thickness / d);
@@ -115,7 +116,7 @@ TEST_CASE("nothing comes through a thin plate that is thrust through water, or t
   });
 }
 
-TEST_CASE("water that starts on both sides of a thin plate stays on both") {
+TEST_CASE("water that starts on both sides of a thin plate stays on both", "[slow]") {
   const bool is_mesh = GENERATE(false, true);
   const float thickness = GENERATE(0.005f, 0.1f) * d;
   CAPTURE(is_mesh, thickness / d);
