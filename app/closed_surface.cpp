@@ -14,15 +14,12 @@
 #include <vector>
 
 #include "app/shells.hpp"
+#include "app/shown_text.hpp"
 
 namespace spindrift::app {
 namespace {
 
 using sim::TriangleSurface;
-
-std::string text_of(const glm::vec3& v) {
-  return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
-}
 
 /// Whether a place comes before another along x, or y or z where those before are the same.
 template <class Place>
@@ -103,8 +100,8 @@ void check_edges(const TriangleSurface& surface, const std::vector<Side>& sides)
     throw MeshError(fmt::format(
         "is not closed: {} edge{} without a neighbour, the first from {} to {}; a solid needs an "
         "inside, so close the holes and put vertices that belong together at the same place",
-        open, open == 1 ? " is" : "s are", text_of(surface.vertices[example->low]),
-        text_of(surface.vertices[example->high])));
+        open, open == 1 ? " is" : "s are", vector_text(surface.vertices[example->low]),
+        vector_text(surface.vertices[example->high])));
   }
 }
 

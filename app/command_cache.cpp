@@ -81,7 +81,7 @@ std::string age_text(double seconds) {
                            : fmt::format("{:.0f} d", seconds / 86400);
 }
 
-Json json_of(const KeptSimulation& kept) {
+Json kept_json(const KeptSimulation& kept) {
   return {{"folder", kept.folder.string()}, {"scene", kept.scene},
           {"frames", kept.frames},          {"bytes", kept.bytes},
           {"age_seconds", kept.age},        {"used", kept.used}};
@@ -117,7 +117,7 @@ int run_cache(const CacheOptions& options) {
   for (const KeptSimulation& kept : chosen) {
     const bool removed = options.remove && remove(kept);
     all_removed = all_removed && removed;
-    json.push_back(json_of(kept));
+    json.push_back(kept_json(kept));
     json.back()["removed"] = removed;
     if (!options.remove || removed)
       sum += static_cast<double>(kept.bytes);

@@ -96,7 +96,7 @@ std::optional<FrameRange> parse_frames(const std::string& text, int frame_count)
   return range;
 }
 
-std::string quoted(const std::string& word) {
+std::string quoted_for_shell(const std::string& word) {
   const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
     return word;
@@ -111,7 +111,7 @@ std::string quoted(const std::string& word) {
 std::string command_as_typed(int argc, const char* const* argv) {
   std::vector<std::string> words;
   for (int i = 0; i < argc; ++i) {
-    words.push_back(quoted(argv[i]));
+    words.push_back(quoted_for_shell(argv[i]));
   }
   return fmt::format("{}", fmt::join(words, " "));
 }

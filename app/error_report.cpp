@@ -23,7 +23,7 @@ void print_lines(const std::string& begin, std::string_view message) {
   }
 }
 
-nlohmann::ordered_json json_of(const Problem& problem) {
+nlohmann::ordered_json problem_json(const Problem& problem) {
   nlohmann::ordered_json json;
   if (!problem.place.source.empty())
     json["source"] = problem.place.source;
@@ -40,7 +40,7 @@ nlohmann::ordered_json json_of(const Problem& problem) {
 void print_json(ExitCode code, const std::vector<Problem>& problems, std::size_t more) {
   nlohmann::ordered_json errors = nlohmann::ordered_json::array();
   for (const Problem& problem : problems)
-    errors.push_back(json_of(problem));
+    errors.push_back(problem_json(problem));
   nlohmann::ordered_json json{{"errors", errors}};
   if (more > 0)
     json["more"] = more;

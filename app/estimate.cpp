@@ -20,9 +20,9 @@ constexpr double most_filled_particles = 2e6;
 constexpr double most_counted = 1e18;
 
 // Measured on ordinary scenes; rough by nature.
-constexpr double bytes_per_particle = 450.;  // its fields and its neighbour list
-constexpr double bytes_per_boundary_particle = 60.;
-constexpr double bytes_per_pixel = 80.;              // 4 samples of colour and depth, two copies
+constexpr double bytes_of_particle = 450.;  // its fields and its neighbour list
+constexpr double bytes_of_boundary_particle = 60.;
+constexpr double bytes_of_pixel = 80.;               // 4 samples of colour and depth, two copies
 constexpr double seconds_per_particle_step = 3e-6;   // of one thread
 constexpr double seconds_per_particle_frame = 3e-6;  // to find the surface and draw it
 constexpr double seconds_per_pixel_frame = 2.4e-7;   // to draw and write
@@ -118,9 +118,9 @@ Estimate estimate(const Scene& scene, int threads) {
   const auto most = static_cast<double>(result.particles);
   const double particles = 0.5 * (static_cast<double>(first) + most);  // over the time
   const double pixels = static_cast<double>(scene.video.width) * scene.video.height;
-  result.bytes = most * bytes_per_particle +
-                 static_cast<double>(result.boundary_particles) * bytes_per_boundary_particle +
-                 pixels * bytes_per_pixel;
+  result.bytes = most * bytes_of_particle +
+                 static_cast<double>(result.boundary_particles) * bytes_of_boundary_particle +
+                 pixels * bytes_of_pixel;
 
   const double frames = scene.video.frame_count();
   double step = std::min({static_cast<double>(settings.solver.max_time_step),

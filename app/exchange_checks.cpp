@@ -10,6 +10,7 @@
 
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
+#include "app/shown_text.hpp"
 #include "sim/from_glm.hpp"
 #include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
@@ -21,10 +22,6 @@ namespace {
 
 constexpr float least_width = 2.f;  // particle spacings
 constexpr int nozzle_layers = 4;    // about a spacing apart
-
-std::string text_of(const glm::vec3& v) {
-  return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
-}
 
 std::optional<Complaint> check_direction(const glm::vec3& direction, const std::string& path) {
   if (glm::length(direction) < 1e-6f)
@@ -52,8 +49,9 @@ std::optional<Complaint> check(const sim::Rectangle& r, float spacing, const std
     return wrong;
   const glm::vec3 across = glm::cross(r.up, glm::normalize(r.direction));
   if (glm::length(across) <= 1e-4f * glm::length(r.up))
-    return Complaint{child_path(path, "up"), fmt::format("{} is along the direction {}",
-                                                         text_of(r.up), text_of(r.direction))};
+    return Complaint{
+        child_path(path, "up"),
+        fmt::format("{} is along the direction {}", vector_text(r.up), vector_text(r.direction))};
   if (auto wrong = check_width(r.width, spacing, child_path(path, "width")))
     return wrong;
   return check_width(r.height, spacing, child_path(path, "height"));
@@ -68,14 +66,15 @@ std::optional<Complaint> check_place(const sim::Settings& s, const sim::Opening&
     const glm::vec3 p = point + ahead;
     if (glm::any(glm::lessThan(p, s.domain.min - tolerance)) ||
         glm::any(glm::greaterThan(p, s.domain.max + tolerance)))
-      return Complaint{path, fmt::format("the particle that comes out at {} is outside the domain "
-                                         "{} ... {}; move center or turn direction",
-                                         text_of(p), text_of(s.domain.min), text_of(s.domain.max))};
+      return Complaint{
+          path, fmt::format("the particle that comes out at {} is outside the domain "
+                            "{} ... {}; move center or turn direction",
+                            vector_text(p), vector_text(s.domain.min), vector_text(s.domain.max))};
     for (std::size_t k = 0; k < s.obstacles.size(); ++k)
       if (!s.obstacles[k].motion && sim::is_inside(s.obstacles[k].shape, p))
         return Complaint{path, fmt::format("the particle that comes out at {} is inside "
                                            "obstacles[{}]; move center out of it",
-                                           text_of(p), k)};
+                                           vector_text(p), k)};
   }
   return std::nullopt;
 }
@@ -161,12 +160,13 @@ std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening&
   if (least >= needed)
     return std::nullopt;
   return Complaint{
-      path, fmt::format(
-                "the nozzle, four spacings behind the opening, lies in a wall that is too thin: at "
-                "{} liquid can be {:g} spacings ({:g} m) from it on the wall's other side; {:g} "
-                "spacings ({:.3g} m) are needed, so make the wall thicker, the opening or "
-                "fluid.spacing smaller, or move center",
-                text_of(where), least, least * s.fluid.spacing, needed, needed * s.fluid.spacing)};
+      path,
+      fmt::format(
+          "the nozzle, four spacings behind the opening, lies in a wall that is too thin: at "
+          "{} liquid can be {:g} spacings ({:g} m) from it on the wall's other side; {:g} "
+          "spacings ({:.3g} m) are needed, so make the wall thicker, the opening or "
+          "fluid.spacing smaller, or move center",
+          vector_text(where), least, least * s.fluid.spacing, needed, needed * s.fluid.spacing)};
 }
 
 std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& emitter,

@@ -91,7 +91,7 @@ class TextCursor {
 };
 
 /// The parser's reason without its own names and position: "unexpected '}'; expected …".
-std::string reason_of(std::string_view what) {
+std::string syntax_error(std::string_view what) {
   const auto at = what.find(" - ");
   return "not valid JSON: " +
          shown(at == what.npos ? what : what.substr(at + 3), longest_parser_reason);
@@ -134,7 +134,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
                          shown(token)));
     }
     cursor_.go_to(letters_read == 0 ? 0 : letters_read - 1);
-    throw JsonError(JsonError::not_json, cursor_.position(), reason_of(error.what()));
+    throw JsonError(JsonError::not_json, cursor_.position(), syntax_error(error.what()));
   }
 
  private:

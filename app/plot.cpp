@@ -13,7 +13,7 @@ namespace {
 
 /// In single quotes gnuplot takes everything as it stands, but for the quote itself and for control
 /// characters, of which a line's end would end the command; they become spaces.
-std::string quoted(const std::string& text) {
+std::string quoted_for_gnuplot(const std::string& text) {
   std::string taken;
   for (const char c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
@@ -52,9 +52,10 @@ std::string gnuplot_script(const Plot& plot) {
     for (const auto& [x, y] : curve.points)
       data += fmt::format("{:.9g} {:.9g}\n", x, y);
     data += "END\n";
-    curves += fmt::format(
-        "{} {} {} {}", curves.empty() ? "plot" : ", \\\n ", name, style(curve),
-        curve.title.empty() ? "notitle" : "title " + quoted(curve.title) + " noenhanced");
+    curves += fmt::format("{} {} {} {}", curves.empty() ? "plot" : ", \\\n ", name, style(curve),
+                          curve.title.empty()
+                              ? "notitle"
+                              : "title " + quoted_for_gnuplot(curve.title) + " noenhanced");
   }
   const char* log_axes = plot.log_x ? (plot.log_y ? "xy" : "x") : (plot.log_y ? "y" : nullptr);
   return "set terminal svg size 600,440 font 'sans-serif,12' background '#ffffff'\n"
@@ -62,8 +63,8 @@ std::string gnuplot_script(const Plot& plot) {
          (log_axes ? fmt::format("set logscale {}\n", log_axes) : std::string()) +
          (plot.log_x ? "" : "set xrange [0:*]\n") +
          (plot.log_y || !plot.y_from_zero ? "" : "set yrange [0:*]\n") +
-         fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\n", quoted(plot.x_label),
-                     quoted(plot.y_label)) +
+         fmt::format("set xlabel {} noenhanced\nset ylabel {} noenhanced\n",
+                     quoted_for_gnuplot(plot.x_label), quoted_for_gnuplot(plot.y_label)) +
          data + curves + "\n";
 }
 

@@ -22,10 +22,6 @@ constexpr double most_particles = 2e8;
 constexpr float most_spacings_from_origin = 1e5f;  // single precision places them no better
 constexpr std::size_t longest_scene_name = 200;    // bytes; what is named after it has 255
 
-std::string text_of(const glm::vec3& v) {
-  return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
-}
-
 class Checker {
  public:
   Checker(const Scene& scene, const SceneDocument& document) : scene_(scene), document_(document) {}
@@ -73,8 +69,8 @@ class Checker {
   void check_shape(const sim::Box& box, const std::string& path) {
     for (int axis = 0; axis < 3; ++axis) {
       if (!(box.min[axis] < box.max[axis])) {
-        return complain(path, fmt::format("min {} is not below max {} in {}", text_of(box.min),
-                                          text_of(box.max), "xyz"[axis]));
+        return complain(path, fmt::format("min {} is not below max {} in {}", vector_text(box.min),
+                                          vector_text(box.max), "xyz"[axis]));
       }
     }
   }
@@ -201,8 +197,9 @@ class Checker {
     if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
         glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
       complain(path, fmt::format("{} litres from {} to {}, which is outside the domain {} ... {}",
-                                 litres_text(sim::volume_of(shape)), text_of(bounds.min),
-                                 text_of(bounds.max), text_of(domain.min), text_of(domain.max)));
+                                 litres_text(sim::volume_of(shape)), vector_text(bounds.min),
+                                 vector_text(bounds.max), vector_text(domain.min),
+                                 vector_text(domain.max)));
     }
   }
 
@@ -352,7 +349,7 @@ class Checker {
       if (place[axis] < domain.min[axis] || place[axis] > domain.max[axis]) {
         return complain(child_path(path, key),
                         fmt::format("{} = {:g} m is outside the domain {} ... {}", "xyz"[axis],
-                                    place[axis], text_of(domain.min), text_of(domain.max)));
+                                    place[axis], vector_text(domain.min), vector_text(domain.max)));
       }
     }
   }
@@ -369,8 +366,8 @@ class Checker {
       }
       const glm::vec3 across = glm::cross(glm::normalize(forward), keys[i].up);
       if (glm::length(across) < 1e-4f * glm::length(keys[i].up) || glm::length(keys[i].up) == 0.f) {
-        complain(path, fmt::format("up {} is along the view from {} to {}", text_of(keys[i].up),
-                                   text_of(keys[i].position), text_of(keys[i].target)));
+        complain(path, fmt::format("up {} is along the view from {} to {}", vector_text(keys[i].up),
+                                   vector_text(keys[i].position), vector_text(keys[i].target)));
       }
     }
   }

@@ -1,7 +1,8 @@
-// Text that somebody else wrote, and volumes, as they are shown in a message.
+// Text that somebody else wrote, volumes and vectors, as they are shown in a message.
 #pragma once
 
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,9 @@ std::string shown(std::string_view text, std::size_t most_letters = 40);
 
 /// A volume, m³, in litres with three digits that count.
 std::string litres_text(double volume);
+
+/// A vector as scene files have it: [0, 0.5, 1].
+std::string vector_text(const glm::vec3& v);
 
 /// Whether a text holds a character that `escaped` would replace.
 bool holds_control_characters(std::string_view text);

@@ -7,7 +7,7 @@
 namespace spindrift::sim {
 namespace {
 
-constexpr std::uint32_t most_in_leaf = 4;
+constexpr std::uint32_t most_triangles_in_leaf = 4;
 /// Twice the area of the triangle p, a, b in the plane of y and z. It changes its sign exactly, and
 /// nothing else, when a and b change places, so that two triangles with a common edge agree on
 /// which side of it p is.
@@ -44,7 +44,7 @@ void TriangleTree::build(std::uint32_t begin, std::uint32_t end) {
     node.high = glm::max(node.high, glm::max(t.a, glm::max(t.b, t.c)));
   }
   nodes_.push_back(node);
-  if (node.count <= most_in_leaf)
+  if (node.count <= most_triangles_in_leaf)
     return;
   const glm::vec3 size = node.high - node.low;
   const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
