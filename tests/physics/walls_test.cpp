@@ -75,7 +75,7 @@ TEST_CASE("nothing comes through a plate, however thin, of any kind", "[slow]") 
   CHECK(compression <= 0.0255);
 }
 
-TEST_CASE("nothing comes through a plate of triangles that stands askew") {
+TEST_CASE("nothing comes through a plate of triangles that stands askew", "[slow]") {
   const float thickness = GENERATE(0.005f, 0.05f) * d;
   CAPTURE(thickness / d);
   TriangleSurface mesh = box_mesh({-1, -0.5f * thickness, -1}, {1, 0.5f * thickness, 1});
