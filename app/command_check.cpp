@@ -5,20 +5,10 @@
 #include "app/estimate.hpp"
 #include "app/frame_rate_text.hpp"
 #include "app/machine_limits.hpp"
+#include "app/progress.hpp"
 #include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
-namespace {
-
-std::string duration_text(double seconds) {
-  if (seconds < 100.) {
-    return fmt::format("{:.0f} s", seconds + 0.5);
-  }
-  return seconds < 6000. ? fmt::format("{:.0f} min", seconds / 60.)
-                         : fmt::format("{:.1f} h", seconds / 3600.);
-}
-
-}  // namespace
 
 int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   if (quiet) {

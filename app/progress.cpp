@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,7 @@ bool LogPace::is_due(double part) {
   using namespace std::chrono;
   const auto now = steady_clock::now();
   const bool due = told_part_ < 0 || std::floor(10 * part) > std::floor(10 * told_part_) ||
-                   now - told_ >= seconds(30);
+                   now - told_ >= longest_silence;
   if (due) {
     told_part_ = part;
     told_ = now;
@@ -40,8 +41,11 @@ Progress::Progress(const Scene& scene, const RenderOptions& options, int frames,
             : options.quiet                        ? Form::none
             : isatty(STDERR_FILENO)                ? Form::terminal
                                                    : Form::log) {
-  if (form_ == Form::log && pace_.is_due(0))
-    fmt::print(stderr, "{}: {} frames, {} particles at the start\n", scene_, frames_, particles);
+  if (form_ != Form::log)
+    return;
+  pace_.is_due(0);
+  fmt::print(stderr, "{}: {} frames, {} particles at the start\n", scene_, frames_, particles);
+  heartbeat_.emplace(longest_silence, [this] { show_in_log(); });
 }
 
 Progress::~Progress() {
@@ -56,6 +60,9 @@ void Progress::show(const char* stage, int number, int done) {
     return;
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
   const double left = spent.count() / done * (frames_ - done);
+  done_ = done;
+  if (heartbeat_)
+    heartbeat_->beat();
   if (form_ == Form::terminal) {
     show_on_terminal(stage, done, left);
   } else if (form_ == Form::json) {
@@ -71,6 +78,13 @@ void Progress::show(const char* stage, int number, int done) {
     fmt::print(stderr, "{}: {} frame {} of {}, {} particles, {} left\n", scene_, stage, done,
                frames_, particles_.load(), duration_text(left));
   }
+}
+
+/// While a frame takes long.
+void Progress::show_in_log() {
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+  fmt::print(stderr, "{}: at work on frame {} of {}, {} so far\n", scene_,
+             std::min(done_ + 1, frames_), frames_, duration_text(spent.count()));
 }
 
 void Progress::show_on_terminal(const char* stage, int done, double seconds_left) {

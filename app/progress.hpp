@@ -4,14 +4,19 @@
 
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "app/commands.hpp"
+#include "app/heartbeat.hpp"
 
 namespace spindrift::app {
 
+/// The longest time for which a log is not told anything.
+constexpr std::chrono::seconds longest_silence{30};
+
 /// When a log is to be told how far something is: at the beginning, after each tenth, and after
-/// half a minute without a word.
+/// the longest silence.
 class LogPace {
  public:
   /// @param part that is done, 0 ... 1
@@ -39,6 +44,7 @@ class Progress {
   enum class Form { none, terminal, log, json };
 
   void show_on_terminal(const char* stage, int done, double seconds_left);
+  void show_in_log();
 
   std::string scene_;
   int frames_;
@@ -46,9 +52,11 @@ class Progress {
   std::atomic<std::size_t> particles_;
   Form form_;
   bool drawn_ = false;
+  std::atomic<int> done_ = 0;
   LogPace pace_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_shown_{};
+  std::optional<Heartbeat> heartbeat_;  ///< of a log; the last member, since it shows the others
 };
 
 /// "48 s", "3 min 05 s", "2 h 10 min".

@@ -3,11 +3,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "app/folder_lock.hpp"
+#include "app/heartbeat.hpp"
 #include "app/particle_cache.hpp"
 #include "app/progress.hpp"
 #include "app/simulation_record.hpp"
@@ -185,6 +189,18 @@ TEST_CASE("a log is told at the beginning and after each tenth") {
   for (int k = 0; k <= 1000; ++k)
     told += pace.is_due(k / 1000.);
   CHECK(told == 11);
+}
+
+TEST_CASE("a log shows life while one frame takes long, and no more once it is over") {
+  std::atomic<int> told = 0;
+  {
+    const app::Heartbeat heartbeat(std::chrono::milliseconds(5), [&] { ++told; });
+    while (told < 2)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const int in_all = told;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  CHECK(told == in_all);
 }
 
 }  // namespace app_kept_tests
