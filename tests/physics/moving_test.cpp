@@ -232,7 +232,8 @@ TEST_CASE("a piston's work is the energy that the water gains") {
   CHECK(end.wall_work == Approx(end.last.kinetic_energy).epsilon(0.08));
 }
 
-TEST_CASE("water that sticks to two plates that move apart has the straight profile of Couette") {
+TEST_CASE("water that sticks to two plates that move apart has the straight profile of Couette",
+          "[slow]") {
   // In a long box, so that nothing has to flow back; y is measured from the middle.
   const float d_fine = 0.01f, speed = 0.1f;
   Settings s = small_scene(SolverType::pcisph);

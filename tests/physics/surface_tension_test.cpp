@@ -267,7 +267,7 @@ TEST_CASE("validation: drops of several resolutions and sizes swing as Lamb says
   swinging_drop(12, 5e-4, 0.15, 0.25);
 }
 
-TEST_CASE("two drops that touch become one") {
+TEST_CASE("two drops that touch become one", "[slow]") {
   constexpr double d = 5e-4;
   const auto apart = [](float contact) {
     Settings s = weightless(d, 40 * d);
@@ -288,11 +288,11 @@ TEST_CASE("a drop on a plate meets it at a right angle") {
   settles_at(90);
 }
 
-TEST_CASE("a drop on a plate meets it at its contact angle") {
+TEST_CASE("a drop on a plate meets it at its contact angle", "[slow]") {
   settles_at(120);
 }
 
-TEST_CASE("a drop of two millimetres at a tenth of a millimetre stays whole and calm") {
+TEST_CASE("a drop of two millimetres at a tenth of a millimetre stays whole and calm", "[slow]") {
   Settings s = drop(1e-4, 1e-3);
   s.fluid.viscosity = 0.001f;
   const Invariants found = watch(s, 0.004, 4);
