@@ -5,10 +5,21 @@
 #include "app/estimate.hpp"
 #include "app/frame_rate_text.hpp"
 #include "app/machine_limits.hpp"
-#include "app/progress.hpp"
 #include "app/scene_warnings.hpp"
 
 namespace spindrift::app {
+namespace {
+
+/// With no more digits than an estimate has.
+std::string rough_duration_text(double seconds) {
+  if (seconds < 100.) {
+    return fmt::format("{:.0f} s", seconds + 0.5);
+  }
+  return seconds < 6000. ? fmt::format("{:.0f} min", seconds / 60.)
+                         : fmt::format("{:.1f} h", seconds / 3600.);
+}
+
+}  // namespace
 
 int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   if (quiet) {
@@ -49,8 +60,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   fmt::print("disk        about {}: {} for kept particles, {} for pictures, {} for the video\n",
              bytes_text(disk.sum()), bytes_text(disk.particles), bytes_text(disk.pictures),
              bytes_text(disk.video));
-  fmt::print("time        roughly {} with {} thread{}\n", duration_text(cost.seconds), threads,
-             threads == 1 ? "" : "s");
+  fmt::print("time        roughly {} with {} thread{}\n", rough_duration_text(cost.seconds),
+             threads, threads == 1 ? "" : "s");
   for (const Complaint& warning : warnings) {
     fmt::print("warning     {}: {}\n", warning.path, warning.message);
   }

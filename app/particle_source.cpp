@@ -104,7 +104,7 @@ bool ParticleSource::start_simulation(int number) {
   } catch (const sim::Stopped&) {
     return false;
   }
-  if (!scene_.probes.empty() && number > 0)
+  if (number > 0 && !readings_due(number).empty())
     at_last_stop_ = app::read_probes(scene_, last_);
   last_ = {};
   return true;
@@ -114,11 +114,8 @@ bool ParticleSource::start_simulation(int number) {
 std::optional<ComingFrame> ParticleSource::simulate(int number) {
   if (!simulation_ && !start_simulation(number))
     return std::nullopt;
-  const double time = time_of(number), begin = number == 0 ? -1 : time_of(number - 1);
-  std::vector<double> readings;
-  if (!scene_.probes.empty())
-    readings = scene_.probes_rate > 0 ? reading_times(begin, time, scene_.probes_rate)
-                                      : std::vector<double>{time};
+  const double time = time_of(number), begin = number == 0 ? 0 : time_of(number - 1);
+  const std::vector<double> readings = readings_due(number);
   ComingFrame coming;
   auto due = readings.cbegin();
   for (const double at : stop_times(begin, time, number == 0 ? 1 : readings.size())) {
@@ -131,7 +128,7 @@ std::optional<ComingFrame> ParticleSource::simulate(int number) {
   coming.frame = simulation_->take_frame();
   coming.time = time;
   coming.particle_count = simulation_->particle_count();
-  if (!scene_.probes.empty()) {
+  if (!readings.empty() || !readings_due(number + 1).empty()) {
     sim::Frame frame = coming.frame.get();
     read_probes(frame, due, readings.cend());
     coming.frame = ready(std::move(frame));
@@ -189,6 +186,15 @@ bool ParticleSource::add_kept_readings(int number) {
   for (auto at = values->begin(); at != values->end(); at += static_cast<long>(columns))
     readings_.push_back({*at, {at + 1, at + static_cast<long>(columns)}});
   return true;
+}
+
+/// After the frame before, up to a frame.
+std::vector<double> ParticleSource::readings_due(int number) const {
+  if (scene_.probes.empty())
+    return {};
+  if (scene_.probes_rate == 0)
+    return {time_of(number)};
+  return reading_times(number == 0 ? -1 : time_of(number - 1), time_of(number), scene_.probes_rate);
 }
 
 double ParticleSource::time_of(int number) const {

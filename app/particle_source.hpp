@@ -49,6 +49,7 @@ class ParticleSource {
   void keep_readings(int number, std::size_t first) const;
   bool add_kept_readings(int number);
   double time_of(int number) const;
+  std::vector<double> readings_due(int number) const;
   std::vector<double>::const_iterator read_probes(const sim::Frame& frame,
                                                   std::vector<double>::const_iterator due,
                                                   std::vector<double>::const_iterator end);
