@@ -111,14 +111,40 @@ std::uint32_t number_at(std::string_view png, std::size_t place) {
   return number;
 }
 
-/// Chunks are a length (4 bytes), a type (4), data and a checksum (4), after a signature of 8.
-bool has_chunk(std::string_view png, std::string_view type) {
-  for (std::size_t at = 8; at + 12 <= png.size(); at += 12 + std::size_t{number_at(png, at)}) {
-    if (png.substr(at + 4, 4) == type) {
-      return true;
-    }
+/// A chunk is a length (4 bytes), a type (4), data and a checksum (4).
+struct Chunk {
+  std::string_view type, whole;
+};
+
+constexpr std::size_t kSignature = 8, kChunkWithoutData = 12;  // bytes
+
+/// Calls `look` with each chunk, up to one that ends after the file.
+template <class Look>
+void for_each_chunk(std::string_view png, const Look& look) {
+  for (std::size_t at = kSignature; at + kChunkWithoutData <= png.size();) {
+    const std::size_t bytes = kChunkWithoutData + number_at(png, at);
+    look(Chunk{png.substr(at + 4, 4), png.substr(at, bytes)});
+    at += bytes;
   }
-  return false;
+}
+
+bool has_chunk(std::string_view png, std::string_view type) {
+  bool found = false;
+  for_each_chunk(png, [&](const Chunk& chunk) { found = found || chunk.type == type; });
+  return found;
+}
+
+/// PNG allows chunks of pixels without any data. For those before the first that has some, stb
+/// copies no bytes to a null pointer, which C++ leaves undefined: so they are left out.
+std::string without_empty_pixel_chunks(std::string_view png) {
+  std::string kept(png.substr(0, kSignature));
+  kept.reserve(png.size());
+  for_each_chunk(png, [&](const Chunk& chunk) {
+    if (chunk.type != "IDAT" || chunk.whole.size() > kChunkWithoutData) {
+      kept += chunk.whole;
+    }
+  });
+  return kept;
 }
 
 /// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
@@ -179,7 +205,7 @@ void write_png(const std::filesystem::path& file, const Image& image) {
 }
 
 Image read_png(const std::filesystem::path& file) {
-  const std::string png = read_file(file);
+  std::string png = read_file(file);
   const auto fail = [&](const std::string& reason) {
     throw std::runtime_error("cannot read " + file.string() + ": " + reason);
   };
@@ -189,6 +215,7 @@ Image read_png(const std::filesystem::path& file) {
   if (const std::string reason = why_refused(png); !reason.empty()) {
     fail(reason);
   }
+  png = without_empty_pixel_chunks(png);
   const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
   const int length = static_cast<int>(png.size());
   if (has_chunk(png, "acTL")) {
