@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/measure.hpp"
+#include "sim/nozzle_rim.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
@@ -67,27 +68,36 @@ float Inflow::speed_within(double begin, double end) const {
 /// A sample in the liquid's way stands for nothing while the nozzle is open; its density ratio is
 /// then below 1 however close the liquid is, and no pressure comes up. One beside it must not take
 /// the liquid in the nozzle, which is behind the wall's face, for liquid that presses on it: it
-/// would push the jet on, by a third of its speed.
+/// would push the jet on, by a third of its speed. Nor must it be too much for what comes by.
 void Inflow::attach(Walls& walls) {
   constexpr float lowered = 3;
-  const CubicKernel kernel(constants_.support_radius);
+  const float reach = constants_.support_radius;
+  const CubicKernel kernel(reach);
   Boundary& boundary = walls.boundary();
   openings_.resize(nozzles_.size());
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
-    const Box in = nozzles_[n].bounds();
-    std::vector<WallSample> samples;
-    const glm::vec3 low = in.min - constants_.support_radius,
-                    high = in.max + constants_.support_radius;
+    const Nozzle& nozzle = nozzles_[n];
+    const Box in = nozzle.bounds();
+    std::vector<WallSample> samples, beside;
+    std::vector<RimSample> rim;
     for (std::uint32_t b = 0; b < boundary.count(); ++b) {
       const glm::vec3 x = boundary.position(b);
-      if (glm::any(glm::lessThan(x, low)) || glm::any(glm::greaterThan(x, high)))
+      if (glm::any(glm::lessThan(x, in.min - reach)) ||
+          glm::any(glm::greaterThan(x, in.max + reach)))
         continue;
       const float volume = boundary.volume(b), solid = boundary.solids()[b];
-      if (nozzles_[n].is_in_the_way(x))
+      if (nozzle.is_in_the_way(x)) {
         samples.push_back({b, volume, solid, 0, solid - lowered});
-      else if (const double sum = nozzles_[n].kernel_sum(x, kernel); sum > 0)
-        samples.push_back(
-            {b, volume, solid, volume, solid - constants_.volume * static_cast<float>(sum)});
+      } else if (const double sum = nozzle.kernel_sum(x, kernel); sum > 0) {
+        const float taken = constants_.volume * static_cast<float>(sum);
+        beside.push_back({b, volume, solid, volume, solid - taken});
+        rim.push_back({x, volume});
+      }
+    }
+    const std::vector<float> parts = parts_beside(nozzle, rim, reach, constants_.volume);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      beside[k].open_volume *= parts[k];
+      samples.push_back(beside[k]);
     }
     put(openings_[n].samples, samples);
   }

@@ -38,6 +38,8 @@ SPINDRIFT_HD inline glm::vec3 pushed(const glm::vec3& point, const glm::vec3& di
 
 class Nozzle {
  public:
+  static constexpr int depth = 4;  ///< layers in the nozzle
+
   Nozzle(const Emitter& emitter, float spacing);
 
   std::uint32_t layer_size() const { return static_cast<std::uint32_t>(points_.size()); }
@@ -61,6 +63,7 @@ class Nozzle {
   double way(std::int64_t k, double time) const { return (time - release_time(k)) * speed_; }
   const std::vector<glm::vec3>& points() const { return points_; }  ///< m
   const glm::vec3& direction() const { return direction_; }
+  float layer_distance() const { return static_cast<float>(distance_); }  ///< m
 
   /// How far the nozzle is closed again, as far as there is a wall around it: 0 while liquid is in
   /// it, and from then on growing up to 1, the faster the liquid was.
@@ -76,8 +79,6 @@ class Nozzle {
   Box bounds() const;
 
  private:
-  static constexpr int depth = 4;  ///< layers in the nozzle
-
   double begin_ = 0, speed_ = 0;  ///< s, m/s
   double distance_ = 0;           ///< of two layers, m
   float reach_ = 0;               ///< of a particle across the direction, m

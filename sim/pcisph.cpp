@@ -247,16 +247,19 @@ class Pcisph : public PressureSolver {
     const StepView step = s.view();
     const CubicKernel kernel = density_kernel_;
     const float most = settings_.max_compression;
-    const bool settling = s.settling;
+    // Where what presses on a nozzle has no way out, no step is short enough to move it.
+    const bool settling = s.settling, can_clear_nozzles = s.refusals < 3;
     const auto so_far = prediction_.view();
     const auto predict = [=] SPINDRIFT_HD(std::uint32_t i) {
       if (so_far->too_far)
         return Residual{};
       ratio[i] =
           density_ratio(i, step.constants, kernel, corrected, step.neighbours, step.boundary);
-      if (step.is_held(i))
-        return Residual{};
       const float wanted = step.compression(i);
+      if (step.is_held(i)) {  // what comes from walls and from others in the nozzle remains
+        const float pressed = can_clear_nozzles ? std::max(0.f, wanted) : 0.f;
+        return Residual{pressed, pressed, pressed};
+      }
       const bool too_dense = step.excess[i] > most;
       const float compression = std::max(0.f, settling || too_dense ? wanted : ratio[i] - 1.f);
       const float error = std::abs(std::max(wanted, -drifted.value(i) / delta));

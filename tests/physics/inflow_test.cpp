@@ -292,6 +292,43 @@ TEST_CASE("a jet out of a hole in the floor rises as it was thrown") {
   CHECK(seen > 30);
 }
 
+TEST_CASE(
+    "liquid out of a wall's nozzle is within the limits, upright and turned, in a pool or not") {
+  const auto [direction, depth, speed] = GENERATE(table<glm::vec3, float, float>({
+      {{1, -0.11f, 0}, 0.f, 0.5f},
+      {{1, -0.113f, 0}, 0.f, 2.f},
+      {{1, 0.36f, 0}, 0.2f, 1.f},
+      {{1, 0, 0}, 0.25f, 4.f},
+  }));
+  CAPTURE(direction.y, depth, speed);
+  Settings s;
+  s.fluid.spacing = 0.03f;
+  s.fluid.volumes.clear();
+  if (depth > 0)
+    s.fluid.volumes = {{Box{{0, 0, 0}, {0.63f, depth, 0.54f}}}};
+  s.domain = {{0, 0, 0}, {0.63f, 0.6f, 0.54f}};
+  s.fluid.emitters = {{.opening = Disc{{0, 0.2f, 0.27f}, direction, 0.0997f}, .speed = speed}};
+  Simulation simulation(s);
+  const Exchange sum = run(simulation, 0.3, [&](const Frame& frame, const FrameStatistics& f) {
+    CAPTURE(frame.time);
+    CHECK(f.mean_compression <= 1.1 * s.solver.mean_compression);
+    CHECK(f.max_compression <= 1.1 * s.solver.max_compression);
+  });
+  CHECK(10 * sum.held_back < sum.entered);
+}
+
+TEST_CASE("liquid out of a floor's nozzle under a pool is within the limits") {
+  Settings s;
+  s.fluid.spacing = 0.04f;
+  s.domain = {{0, 0, 0}, {0.84f, 0.6f, 0.6f}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.84f, 0.12f, 0.6f}}}};
+  const float radius = GENERATE(0.0594f, 0.11f);
+  s.fluid.emitters = {{.opening = Disc{{0.4125f, 0, 0.3102f}, {0, 1, 0}, radius}, .speed = 2}};
+  Simulation simulation(s);
+  for (int k = 1; k <= 30; ++k)
+    CHECK(simulation.advance_to(0.01 * k).max_compression <= 1.1 * s.solver.max_compression);
+}
+
 TEST_CASE("an emitter in a wall that is off leaves the liquid as it is without one") {
   Settings s;
   s.fluid.spacing = d;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -310,6 +311,26 @@ TEST_CASE("a nozzle in a wall that is too thin is refused with the thickness tha
   CHECK_NOTHROW(parse(
       text, {"obstacles.0.box.min=[0.425,0,0.425]", "obstacles.0.box.max=[0.775,0.25,0.775]"}));
   CHECK_NOTHROW(parse(text, {"obstacles=[]"}));  // in the air
+}
+
+TEST_CASE("a nozzle may be turned by 20 degrees from the face that it comes out of") {
+  const auto turned = [](double degrees) {
+    const double a = degrees * std::numbers::pi / 180, radius = 0.12;
+    const auto text = [](double value) { return std::to_string(value); };
+    parse(R"({"fluid": {"spacing": 0.04, "emitters": [{"speed": 1, "disc": {"radius": 0.12,
+            "center": [0.4, )" +
+          text(radius * std::sin(a)) + R"(, 0.3], "direction": [)" + text(std::sin(a)) + ", " +
+          text(std::cos(a)) + R"(, 0]}}]},
+          "domain": {"min": [0, 0, 0], "max": [1, 1, 0.6]}})");
+  };
+  for (const double degrees : {0., 10., 20.}) {
+    INFO(degrees);
+    CHECK_NOTHROW(turned(degrees));
+  }
+  for (const double degrees : {30., 45., 60., 75.}) {
+    INFO(degrees);
+    CHECK_THROWS_WITH(turned(degrees), Catch::Contains("within 20°"));
+  }
 }
 
 TEST_CASE("emitters alone fill an empty domain, and what they bring is counted beforehand") {
