@@ -63,6 +63,11 @@ limited="ulimit -t 20 -v 2000000"
 printf '{"obstacles": [%s]}' "$(repeat '{"box": {"min": [0.1, 0.1, 0.1], "max": [0.2, 0.2, 0.2]}}, ' 50000)" |
   sed 's/, \]/]/' >"$folder/bodies.json"
 (eval "$limited" && exec "$program" check "$folder/bodies.json") >"$folder/out" 2>"$folder/err" || fail "50,000 bodies"
+# Spread, so that looking at each for every place would take a minute.
+awk 'BEGIN { print "{\"fluid\": {\"spacing\": 0.02}, \"obstacles\": ["; for (k = 0; k < 20000; ++k)
+  printf "%s{\"sphere\": {\"center\": [%g, %g, %g], \"radius\": 0.001}}", k ? "," : "",
+    0.0301 * (k % 50), 0.0311 * (int(k / 50) % 20), 0.0203 * int(k / 1000); print "]}" }' >"$folder/spread.json"
+(ulimit -t 5; exec "$program" check "$folder/spread.json") >"$folder/out" 2>"$folder/err" || fail "20,000 bodies, spread"
 printf '{"fluid": {"volumes": [%s0]}}' "$(repeat '0, ' 200000)" >"$folder/volumes.json"
 under "$limited" 2 "and 199981 more" check "$folder/volumes.json"
 printf '{"fluid": %s%s}' "$(repeat '[' 100000)" "$(repeat ']' 100000)" >"$folder/deep.json"

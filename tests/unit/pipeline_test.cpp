@@ -167,6 +167,24 @@ TEST_CASE("meshes and particles are exported on request, and nothing is drawn by
   CHECK_FALSE(fs::exists(dry.output / "video.mp4"));
 }
 
+TEST_CASE("liquid still in a nozzle outside the tank is kept, and not exported") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.export_particles = options.simulate_only = true;
+  const app::Scene fed = scene({R"(fluid.emitters=[{"disc": {"center": [0.7, 0, 0.2],
+                                    "direction": [0, 1, 0], "radius": 0.12}, "speed": 1}])"});
+  REQUIRE(app::run_render(fed, options) == app::done);
+  const std::string last = bytes_of(options.output / "particles_ply/0005.ply");
+  const std::size_t count_at = last.find("element vertex ") + 15;
+  const std::string simulation = app::simulation_hash(fed);
+  const app::ParticleCache cache(options.output / "particles" / simulation, simulation);
+  const sim::Frame kept = cache.read(5).frame;
+  const auto is_out = [](const glm::vec3& p) { return p.y < 0; };
+  const auto out = std::count_if(kept.positions.begin(), kept.positions.end(), is_out);
+  CHECK(out > 5);
+  CHECK(std::stol(last.substr(count_at)) == static_cast<long>(kept.positions.size()) - out);
+}
+
 TEST_CASE("a failure while writing is told, leaves finished frames and a playable video") {
   const TemporaryFolder folder;
   const auto options = options_for(folder / "run");

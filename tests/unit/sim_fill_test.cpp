@@ -1,10 +1,9 @@
 // Lattices that fit the volumes they fill, and what bodies leave of them.
 #include <atomic>
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
+#include "sim/boundary.hpp"
 #include "sim/fill.hpp"
 #include "sim/initial.hpp"
 #include "sim/kernels.hpp"
@@ -135,14 +134,12 @@ TEST_CASE("a simulation that is no longer wanted ends before it begins") {
 }
 
 TEST_CASE("making the samples of walls hears that it is no longer wanted") {
-  Settings s = pool(0.005f);  // some 120,000 samples, for which seconds are needed
-  std::atomic<bool> stop = false;
-  std::thread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    stop = true;
-  });
-  CHECK_THROWS_AS(Simulation(s, &stop), Stopped);
-  later.join();
+  const Settings s = pool(0.05f);
+  const float radius = 2 * s.fluid.spacing;
+  const std::atomic<bool> stop = true;
+  const GridMap map = GridMap::over({0, 0, 0}, from_glm(s.domain.max), radius);
+  CHECK_NOTHROW(Boundary(s, map, radius, nullptr));
+  CHECK_THROWS_AS(Boundary(s, map, radius, &stop), Stopped);
 }
 
 }  // namespace sim_fill_tests

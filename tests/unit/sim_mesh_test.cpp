@@ -113,6 +113,23 @@ TEST_CASE("points are pushed out of a ball of triangles as out of the sphere") {
   CHECK(worst < 0.05f * d);
 }
 
+TEST_CASE("contact keeps a way on its side of a plate of triangles, however thin it is") {
+  for (const float thickness : {0.005f * d, 0.1f * d}) {
+    const Shape plate = solid(box_mesh({0, 0.5f - thickness, 0}, {1, 0.5f, 1}), d);
+    const Solid wall = solid_of(plate);
+    const ContactView contact{{0, 0, 0}, {1, 1, 1}, {&wall, 1, {}, d}};
+    for (const float deep : {0.002f * d, 0.05f * d, 0.3f * d, 8 * d})
+      for (const float aside : {0.f, 0.3f * d, 4 * d}) {
+        CAPTURE(thickness / d, deep / d, aside / d);
+        const Vec3<float> above{0.43f, 0.5f + 0.2f * d, 0.52f};
+        CHECK(contact.resolve(above, {0.43f + aside, 0.5f - deep, 0.52f}).y >= 0.5f);
+        const Vec3<float> below{0.43f, 0.5f - thickness - 0.2f * d, 0.52f};
+        CHECK(contact.resolve(below, {0.43f + aside, 0.5f - thickness + deep, 0.52f}).y <=
+              0.5f - thickness);
+      }
+  }
+}
+
 TEST_CASE("a point far inside is taken to the nearest surface, and far outside left alone") {
   const Shape mesh = solid(askew(box_mesh(glm::vec3(-1), glm::vec3(1))), d);
   const glm::vec3 away(0.013f, 0.017f, 0.011f);
