@@ -128,12 +128,6 @@ TEST_CASE("a damaged PNG is refused in words, whatever stb says of it") {
       return error.what();
     }
   };
-  // stb keeps its last reason for each thread: in one that it has not failed in yet, it gives none
-  // for chunks that it can't look past.
-  const std::size_t end = whole.find("IEND");
-  std::string endless = whole.substr(0, end - 4) + std::string(12, '\x10');
-  endless.replace(whole.find("IDAT") - 4, 4, std::string("\x10\x10\x10\x10", 4));
-  CHECK_THAT(std::async(std::launch::async, complaint, endless).get(), Contains("cut short"));
   const std::size_t pixels = whole.find("IDAT");
   for (std::size_t size = 0; size < pixels + 8; ++size)
     CHECK_FALSE(complaint(whole.substr(0, size)).empty());
@@ -146,9 +140,11 @@ TEST_CASE("a damaged PNG is refused in words, whatever stb says of it") {
     std::string png = whole;
     return png.replace(place, other.size(), other);
   };
-  // The lengths of a chunk for which stb gives no reason.
-  for (const char* length : {"\xff\xff\xff\xf0", "\xc0\0\0\1", "\x7f\xff\xff\xff"})
-    CHECK_FALSE(complaint(with(pixels - 4, std::string(length, 4))).empty());
+  // The lengths of a chunk for which stb gives no reason. It keeps its last one for each thread.
+  for (const char* length : {"\x80\0\0\0", "\xff\xff\xff\xf0", "\xc0\0\0\1", "\x7f\xff\xff\xff"}) {
+    const std::string png = with(pixels - 4, std::string(length, 4));
+    CHECK_THAT(std::async(std::launch::async, complaint, png).get(), Contains("cut short"));
+  }
 }
 
 TEST_CASE("a PNG with more pixels than it can hold is refused before memory is taken") {

@@ -138,8 +138,10 @@ TEST_CASE("making the samples of walls hears that it is no longer wanted") {
   const float radius = 2 * s.fluid.spacing;
   const std::atomic<bool> stop = true;
   const GridMap map = GridMap::over({0, 0, 0}, from_glm(s.domain.max), radius);
-  CHECK_NOTHROW(Boundary(s, map, radius, nullptr));
   CHECK_THROWS_AS(Boundary(s, map, radius, &stop), Stopped);
+  const auto samples = sample_surface(Box{glm::vec3(0.1f), glm::vec3(0.4f)}, s.fluid.spacing);
+  CHECK_NOTHROW(Boundary(s, samples, map, radius, nullptr));
+  CHECK_THROWS_AS(Boundary(s, samples, map, radius, &stop), Stopped);
 }
 
 }  // namespace sim_fill_tests
