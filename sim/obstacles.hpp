@@ -63,6 +63,20 @@ struct ObstacleView {
     return p;
   }
 
+  /// Whether no obstacle is anywhere near a way; may be false for one that none is near, as where
+  /// any of them moves.
+  SPINDRIFT_HD bool is_clear(const Vec3<float>& from, const Vec3<float>& to) const {
+    if (body_count > 0)
+      return false;
+    const glm::vec3 begin = to_glm(from), end = to_glm(to);
+    for (std::uint32_t k = 0; k < count; ++k)
+      if (may_meet(solids[k], begin, end, margin) &&
+          !(solids[k].kind == Solid::Kind::mesh &&
+            solids[k].mesh->is_clear(end, glm::distance(begin, end) + margin)))
+        return false;
+    return true;
+  }
+
   /// Velocity of the moving body that pushed a particle to where it is, m/s; 0 if none did.
   SPINDRIFT_HD Vec3<float> velocity_behind(const Vec3<float>& p, const Vec3<float>& push) const {
     const float length = square_root(dot(push, push));

@@ -38,12 +38,12 @@ glm::vec3 DistanceGrid::corner(std::size_t block) const {
   return origin_ + cell_ * glm::vec3(block_cells * place);
 }
 
-/// Sorts a row of blocks by where they are: blocks that the surface may pass, or that are just
-/// below it, become 0.
+/// Sorts a row of blocks by where they are: blocks that the surface may pass, or come nearer to
+/// than a cell, or that are just below it, become 0.
 void DistanceGrid::sort_blocks(const TriangleTree& tree, std::size_t first, float depth) {
   const float edge = static_cast<float>(block_cells) * cell_;
   const float half_diagonal = 0.5f * std::sqrt(3.f) * edge;
-  const float wanted[] = {half_diagonal, half_diagonal + depth};  // outside, inside
+  const float wanted[] = {half_diagonal + cell_, half_diagonal + depth};  // outside, inside
   float distance = 0;
   bool below = false;
   for (std::size_t block = first; block < first + counts_.x; ++block) {

@@ -180,7 +180,7 @@ struct DistanceGridView {
   const float* values = nullptr;         ///< block after block, x fastest, m
 
   struct Value {
-    float distance;      ///< m; infinite, with its sign, where nothing is stored
+    float distance;      ///< m; infinite, with its sign, where nothing is stored: a cell or more
     glm::vec3 gradient;  ///< of the distance
   };
 
@@ -239,15 +239,19 @@ struct MeshView {
     return tree.nearest(p).point;
   }
 
+  /// Whether the surface is surely farther from a place than a distance, m, and the place outside.
+  /// Linear in between, the grid's distance is off by no more than the cell's half diagonal.
+  SPINDRIFT_HD bool is_clear(const glm::vec3& p, float reach) const {
+    const float distance = grid.at(p).distance;
+    return std::isfinite(distance) ? 0.95f * distance - 0.87f * grid.cell > reach
+                                   : distance > 0 && reach < grid.cell;
+  }
+
   /// Where a way enters the body, or would if it went on by a margin, m.
   SPINDRIFT_HD Entry entry(const glm::vec3& from, const glm::vec3& to, float margin) const {
     const glm::vec3 way = to - from;
     const float length = glm::length(way);
-    // Linear in between, the grid's distance is off by no more than the cell's half diagonal.
-    const float distance = grid.at(from).distance;
-    const bool is_far =
-        std::isfinite(distance) && 0.95f * std::abs(distance) - 0.87f * grid.cell > length + margin;
-    if (is_far || !(length > 0))
+    if (!(length > 0) || is_clear(from, length + margin))
       return {};
     Entry entry = tree.entry(from, to + (margin / length) * way);
     entry.part *= (length + margin) / length;
