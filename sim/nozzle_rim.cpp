@@ -69,13 +69,15 @@ void add_places(const Nozzle& nozzle, const glm::vec3& column,
         own[static_cast<std::size_t>(behind + k)].shares.push_back({b, w * samples[b].volume});
     }
   }
+  std::erase_if(own, [](const Place& place) { return place.shares.empty(); });
+  if (own.empty())
+    return;
   const double room =
       accepted + std::max(0., 1 - ratio_in_jet(nozzle, column, support_radius, particle_volume));
-  for (Place& place : own)
-    if (!place.shares.empty()) {
-      place.room = room;
-      places.push_back(std::move(place));
-    }
+  for (Place& place : own) {
+    place.room = room;
+    places.push_back(std::move(place));
+  }
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ grep -q "gnuplot-nox" "$folder/err" || fail "it did not say that gnuplot is miss
 grep -q "<table>" "$folder/plain/bench.html" || fail "without gnuplot there is no report"
 
 # Scaling, for machines.
-bench --scaling --threads-scaling --particles 2000,4000 --set fluid.spacing=0.1 --threads 2 --json \
+bench --scaling --threads-scaling --particles 500,1000 --set fluid.spacing=0.1 --threads 2 --json \
   --set 'obstacles=[{"capsule": {"from": [0.9, 0.1, 0.2], "to": [0.9, 0.3, 0.2], "radius": 0.1}}]' \
   --quick -o "$folder/scaling" || fail "scaling returned $?"
 [[ $(grep -c '"series": "particles"' "$folder/out") == 2 ]] || fail "not two sizes"
