@@ -75,6 +75,7 @@ struct Run final : Engine {
   Outflow outflow;
   Exchange exchange;           ///< since the last frame
   std::optional<Creep> creep;  ///< until it is done
+  bool has_settled = false;    ///< once, before time begins
 
   Run(const Settings& s, const InitialParticles& initial, Stop stop)
       : settings(s),
@@ -359,7 +360,7 @@ struct Run final : Engine {
   }
 
   void advance(double end, FrameStatistics& statistics) {
-    if (time_step.last() == 0) {
+    if (!std::exchange(has_settled, true)) {
       settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
              walls.contact(), list_radius_factor * constants.support_radius);
       measure_start();
@@ -403,6 +404,7 @@ struct Run final : Engine {
     time = start.time;
     time_step.resume(start.last_time_step, start.allowed_time_step);
     creep.reset();
+    has_settled = true;
     inflow.resume(executor, walls, start.time);
     measure_start();
   }

@@ -6,6 +6,10 @@
 namespace spindrift::output {
 
 int video_length(const std::filesystem::path& file) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) {
+    return 0;  // opening a pipe would wait for a writer
+  }
   const std::string url = "file:" + file.string();
   AVFormatContext* opened = nullptr;
   av_log_set_level(AV_LOG_FATAL);

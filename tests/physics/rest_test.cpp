@@ -126,4 +126,22 @@ TEST_CASE("water dropped into a corner stays inside, keeps its number and its de
   }
 }
 
+TEST_CASE("a pool with a ball in it is settled once, and goes on from there") {
+  Settings s;
+  s.fluid.spacing = 0.05f;
+  s.domain = {{0, 0, 0}, {0.5f, 1, 0.5f}};
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.5f, 0.5f, 0.5f}}}};
+  s.obstacles = {{Sphere{{0.25f, 0.2f, 0.25f}, 0.15f}}};
+  Simulation simulation(s);
+  const FrameStatistics start = simulation.advance_to(0);
+  CHECK(start.mean_compression < 1.5 * s.solver.mean_compression);
+  const Frame first = simulation.frame();
+  const FrameStatistics next = simulation.advance_to(0.02);
+  CHECK(next.mean_compression <= s.solver.mean_compression);
+  CHECK(next.max_compression <= s.solver.max_compression);
+  Simulation resumed(s, first);
+  resumed.advance_to(0.02);
+  CHECK(resumed.frame().positions == simulation.frame().positions);
+}
+
 }  // namespace rest_tests

@@ -162,6 +162,7 @@ TEST_CASE("a PNG with more pixels than it can hold is refused before memory is t
   CHECK_THROWS_WITH(read_png(sized(much + much)), Contains("cut short"));
   REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
   CHECK_THROWS_WITH(read_png(folder / "pipe.png"), Contains("is a pipe"));
+  CHECK(video_length(folder / "pipe.png") == 0);
 }
 
 TEST_CASE("an encoded PNG is the file's content") {
