@@ -26,7 +26,7 @@ struct KeptSimulation {
   double age = 0;     ///< since the last frame was written, s
   bool used = false;  ///< it is the one of the run that the folder holds
 
-  fs::path run() const { return folder.parent_path().parent_path(); }
+  fs::path run() const { return fs::absolute(folder).parent_path().parent_path(); }
 };
 
 /// Seconds since a file was written.
@@ -47,10 +47,8 @@ KeptSimulation described(const fs::path& folder, std::vector<fs::path> frames) {
     kept.age = std::min(kept.age, age_of(frame));
   const Json record = json_in(folder / simulation_record_file);
   const Json run = json_in(kept.run() / "run.json");
-  if (record.is_object())
-    kept.scene = record.value("scene_file", "").empty() ? record.value("scene_name", "")
-                                                        : record.value("scene_file", "");
-  kept.used = run.is_object() && run.value("simulation_hash", "") == folder.filename().string();
+  kept.scene = text_in(record, text_in(record, "scene_file").empty() ? "scene_name" : "scene_file");
+  kept.used = text_in(run, "simulation_hash") == folder.filename().string();
   return kept;
 }
 

@@ -28,4 +28,9 @@ nlohmann::ordered_json json_in(const std::filesystem::path& file) {
   }
 }
 
+std::string text_in(const nlohmann::ordered_json& json, const std::string& name) {
+  const bool there = json.is_object() && json.contains(name) && json[name].is_string();
+  return there ? json[name].get<std::string>() : "";
+}
+
 }  // namespace spindrift::app

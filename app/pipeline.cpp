@@ -229,6 +229,8 @@ class Pipeline {
     source.finish(record_);
     if (failure_)
       std::rethrow_exception(failure_);
+    // Also when all was simulated, and waited to be drawn.
+    record_.interrupted = record_.frames_finished < record_.frames_wanted;
   }
 
  private:
@@ -255,10 +257,8 @@ class Pipeline {
   void simulate(ParticleSource& source, const FrameRange& range, Progress& progress) {
     for (int number = 0; number <= range.last; ++number) {
       std::optional<ComingFrame> coming = timed_next(source, number);
-      if (!coming) {
-        record_.interrupted = true;
+      if (!coming)
         return;
-      }
       record_.frames.push_back(coming->statistics);
       record_.times.push_back(coming->time);
       progress.set_particles(coming->particle_count);

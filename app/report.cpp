@@ -142,7 +142,8 @@ nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record,
   json["simulation_seconds"] = record.simulation.seconds;
   json["simulation_phases"] = json_of(record.simulation.phases);
   auto frames = frames_json(scene, record);
-  for (std::size_t k = frames.size(); k < earlier.size(); ++k)
+  const auto end = static_cast<std::size_t>(scene.video.frame_count());
+  for (std::size_t k = frames.size(); k < std::min(earlier.size(), end); ++k)
     frames.push_back(earlier[k]);
   for (const char* key : {"steps", "rejected_steps", "iterations"})
     json[key] = std::accumulate(frames.begin(), frames.end(), std::int64_t{0},

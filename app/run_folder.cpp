@@ -150,7 +150,7 @@ void RunFolder::refuse_others() const {
   const fs::path& folder = options_.output;
   constexpr const char* advice = "give another folder by -o, or --force to replace them";
   if (!previous_.is_null()) {
-    const std::string file = previous_.value("scene_file", "");
+    const std::string file = text_in(previous_, "scene_file");
     std::error_code ignored;  // a scene file that is gone has another name now
     if (!file.empty() && file != options_.scene_file && fs::exists(file, ignored))
       throw InputError(fmt::format("{} holds the results of another scene, {}; {}", folder.string(),
@@ -169,7 +169,12 @@ void RunFolder::refuse_others() const {
 bool RunFolder::belongs(Part part) const {
   const char* name = part_names[static_cast<std::size_t>(part)];
   const Json made_of = previous_.is_null() ? Json() : previous_.value("made_of", Json());
-  return made_of.is_object() && made_of.value(name, "") == made_of_.at(name);
+  return text_in(made_of, name) == made_of_.at(name);
+}
+
+bool RunFolder::was_longer() const {
+  return previous_.is_object() && previous_.contains("frames") &&
+         previous_["frames"].size() > static_cast<std::size_t>(scene_.video.frame_count());
 }
 
 void RunFolder::remove_others() const {
@@ -199,7 +204,7 @@ void RunFolder::begin() {
   remove_others();
   Json json = identity();
   json["complete"] = false;
-  if (!previous_.is_null() && belongs(Part::particles))
+  if (!previous_.is_null() && belongs(Part::particles) && !was_longer())
     for (const char* key :
          {"particles", "boundary_particles", "simulation_bytes", "backend", "simulation_seconds",
           "simulation_phases", "steps", "rejected_steps", "iterations", "worst_mean_compression",
@@ -232,7 +237,7 @@ void RunFolder::write_probes(const RunRecord& record) const {
   const fs::path table = options_.output / "probes.csv";
   const std::string text = probes_csv(scene_, record.probe_readings);
   std::error_code none;
-  if (belongs(Part::probes) && fs::is_regular_file(table, none) &&
+  if (belongs(Part::probes) && !was_longer() && fs::is_regular_file(table, none) &&
       lines_of(output::read_file(table)) > lines_of(text))
     return;
   output::write_file(table, text);

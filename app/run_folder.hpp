@@ -38,6 +38,8 @@ class RunFolder {
  private:
   void refuse_others() const;
   bool belongs(Part part) const;
+  /// Whether the run before had more frames than this scene.
+  bool was_longer() const;
   void remove_others() const;
   void write(const nlohmann::ordered_json& json) const;
   nlohmann::ordered_json identity() const;

@@ -167,6 +167,38 @@ TEST_CASE("meshes and particles are exported on request, and nothing is drawn by
   CHECK_FALSE(fs::exists(dry.output / "video.mp4"));
 }
 
+TEST_CASE("a shortened scene tells nothing of what was beyond its end") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.simulate_only = true;
+  const std::string probes = R"(probes=[{"name": "e", "energy": {}}])";
+  REQUIRE(app::run_render(scene({probes}), options) == app::done);
+  REQUIRE(app::run_render(scene({probes, "video.duration=0.1"}), options) == app::done);
+  const auto report = report_of(options.output);
+  REQUIRE(report.at("frames").size() == 3);
+  int steps = 0;
+  for (const auto& frame : report.at("frames"))
+    steps += frame.at("steps").get<int>();
+  CHECK(report.at("steps") == steps);
+  const std::string table = bytes_of(options.output / "probes.csv");
+  CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 3);
+}
+
+TEST_CASE("a run.json of other types is as one that says nothing") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  options.simulate_only = true;
+  fs::create_directories(options.output);
+  for (const char* text : {R"({"scene_file": 5, "made_of": {"probes": null}})",
+                           R"({"scene_file": {}, "made_of": [], "frames": 3})"})
+    for (const bool replace : {true, false}) {
+      options.replace = replace;
+      output::write_file(options.output / "run.json", text);
+      CHECK(app::run_render(scene({"video.duration=0.1"}), options) == app::done);
+      CHECK(report_of(options.output).at("complete") == true);
+    }
+}
+
 TEST_CASE("liquid still in a nozzle outside the tank is kept, and not exported") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
