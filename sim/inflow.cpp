@@ -87,38 +87,52 @@ void Inflow::attach(Walls& walls) {
         continue;
       const float volume = boundary.volume(b), solid = boundary.solids()[b];
       if (nozzle.is_in_the_way(x)) {
-        samples.push_back({b, volume, solid, 0, solid - lowered});
+        samples.push_back({b, volume, solid, 0, lowered});
       } else if (const double sum = nozzle.kernel_sum(x, kernel); sum > 0) {
         const float taken = constants_.volume * static_cast<float>(sum);
-        beside.push_back({b, volume, solid, volume, solid - taken});
+        beside.push_back({b, volume, solid, 1, taken});
         rim.push_back({x, volume});
       }
     }
     const std::vector<float> parts = parts_beside(nozzle, rim, reach, constants_.volume);
     for (std::size_t k = 0; k < beside.size(); ++k) {
-      beside[k].open_volume *= parts[k];
+      beside[k].part = parts[k];
       samples.push_back(beside[k]);
     }
     put(openings_[n].samples, samples);
   }
 }
 
+/// Nozzles beside each other may share samples: what these stand for depends on how far each is
+/// closed, and not on which was so first.
 void Inflow::open_walls(Executor& executor, Walls& walls, double time) {
+  bool changed = false;
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
     Opening& opening = openings_[n];
     const double part = nozzles_[n].closed_part(time + instant);
     if (opening.closed_part == part)
       continue;
+    changed = true;
     disturbs_ = disturbs_ || (part == 0 && !opening.samples.empty());
     opening.closed_part = part;
-    const auto closed = static_cast<float>(part);
+  }
+  if (!changed)
+    return;
+  const SampleSetter wall = walls.sample_setter();
+  for (const Opening& opening : openings_) {
     const WallSample* samples = opening.samples.data();
-    const SampleSetter wall = walls.sample_setter();
+    executor.for_each("open walls", static_cast<std::uint32_t>(opening.samples.size()),
+                      [=] SPINDRIFT_HD(std::uint32_t k) {
+                        wall.set(samples[k].index, samples[k].volume, samples[k].solid);
+                      });
+  }
+  for (const Opening& opening : openings_) {
+    const auto closed = static_cast<float>(opening.closed_part);
+    const WallSample* samples = opening.samples.data();
     executor.for_each("open walls", static_cast<std::uint32_t>(opening.samples.size()),
                       [=] SPINDRIFT_HD(std::uint32_t k) {
                         const WallSample& s = samples[k];
-                        wall.set(s.index, glm::mix(s.open_volume, s.volume, closed),
-                                 glm::mix(s.open_solid, s.solid, closed));
+                        wall.lessen(s.index, glm::mix(s.part, 1.f, closed), (1 - closed) * s.loss);
                       });
   }
 }

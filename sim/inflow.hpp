@@ -86,11 +86,12 @@ class Inflow {
   std::vector<glm::vec3> in_the_place_of(Executor& executor, Particles& particles,
                                          std::uint32_t nozzle, const Box& place);
 
-  /// A wall's sample while the nozzle is closed and while it is open.
+  /// A wall's sample while all nozzles are closed, and what this one takes from it while it is
+  /// open.
   struct WallSample {
     std::uint32_t index;
-    float volume, solid;            ///< m³; as Boundary's
-    float open_volume, open_solid;  ///< m³; as Boundary's
+    float volume, solid;  ///< m³; as Boundary's
+    float part, loss;     ///< of the volume that is left; of `solid`
   };
 
  private:

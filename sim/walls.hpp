@@ -20,8 +20,20 @@ struct SampleSetter {
 
   /// @param b its number before Walls::move() was called first
   SPINDRIFT_HD void set(std::uint32_t b, float new_volume, float new_solid) const {
-    (of_moving != nullptr ? of_moving[b].volume : samples.value(b)) = new_volume;
-    (of_moving != nullptr ? of_moving[b].solid : solid[b]) = new_solid;
+    volume_of(b) = new_volume;
+    solid_of(b) = new_solid;
+  }
+  /// @param part of the volume that it keeps @param loss of density ratio that the solid makes up
+  SPINDRIFT_HD void lessen(std::uint32_t b, float part, float loss) const {
+    volume_of(b) *= part;
+    solid_of(b) -= loss;
+  }
+
+  SPINDRIFT_HD float& volume_of(std::uint32_t b) const {
+    return of_moving != nullptr ? of_moving[b].volume : samples.value(b);
+  }
+  SPINDRIFT_HD float& solid_of(std::uint32_t b) const {
+    return of_moving != nullptr ? of_moving[b].solid : solid[b];
   }
 };
 

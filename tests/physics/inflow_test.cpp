@@ -329,6 +329,31 @@ TEST_CASE("liquid out of a floor's nozzle under a pool is within the limits") {
     CHECK(simulation.advance_to(0.01 * k).max_compression <= 1.1 * s.solver.max_compression);
 }
 
+TEST_CASE("nozzles side by side keep to the limits, and are gone on with to the same bytes") {
+  Settings s;
+  s.fluid.spacing = d;
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.6f, 0.06f, 0.3f}}}};
+  s.domain = {{0, 0, 0}, {0.6f, 0.5f, 0.3f}};
+  s.fluid.emitters = {{.opening = Disc{{0.24f, 0, 0.15f}, {0, 1, 0}, 0.05f},
+                       .speed = 1,
+                       .from = 0.02f,
+                       .to = 0.16f},
+                      {.opening = Disc{{0.36f, 0, 0.15f}, {0, 1, 0}, 0.05f}, .speed = 1}};
+  Simulation whole(s);
+  double worst = 0;
+  Frame kept;
+  for (int k = 1; k <= 15; ++k) {
+    worst = std::max(worst, whole.advance_to(0.02 * k).max_compression);
+    if (k == 5)
+      kept = whole.frame();
+  }
+  CHECK(worst <= 1.3 * s.solver.max_compression);
+  Simulation resumed(s, kept);
+  for (int k = 6; k <= 15; ++k)
+    resumed.advance_to(0.02 * k);
+  CHECK(resumed.frame().positions == whole.frame().positions);
+}
+
 TEST_CASE("an emitter in a wall that is off leaves the liquid as it is without one") {
   Settings s;
   s.fluid.spacing = d;
