@@ -63,7 +63,7 @@ limited="ulimit -t 20 -v 2000000"
 printf '{"obstacles": [%s]}' "$(repeat '{"box": {"min": [0.1, 0.1, 0.1], "max": [0.2, 0.2, 0.2]}}, ' 50000)" |
   sed 's/, \]/]/' >"$folder/bodies.json"
 (eval "$limited" && exec "$program" check "$folder/bodies.json") >"$folder/out" 2>"$folder/err" || fail "50,000 bodies"
-# Spread, so that looking at each for every place would take a minute.
+# Spread: looking at each for every place takes 7 s, a tree of boxes 0.1 s.
 awk 'BEGIN { print "{\"fluid\": {\"spacing\": 0.02}, \"obstacles\": ["; for (k = 0; k < 20000; ++k)
   printf "%s{\"sphere\": {\"center\": [%g, %g, %g], \"radius\": 0.001}}", k ? "," : "",
     0.0301 * (k % 50), 0.0311 * (int(k / 50) % 20), 0.0203 * int(k / 1000); print "]}" }' >"$folder/spread.json"
