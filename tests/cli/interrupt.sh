@@ -43,6 +43,20 @@ grep -q '"frames_simulated": 30' "$folder/report" && fail "it simulated everythi
 cmp "$folder/cut/video.mp4" "$folder/whole/video.mp4" || fail "the videos differ"
 cmp "$folder/cut/frames/0029.png" "$folder/whole/frames/0029.png" || fail "the last frames differ"
 
+# Where all particles are there at once, and large pictures wait to be drawn.
+"$program" render "$folder/scene.json" -o "$folder/whole" --set video.width=3840 --set video.height=2160 --frames 0:4 \
+  >"$folder/out" 2>"$folder/err" </dev/null &
+pid=$!
+for _ in $(seq 1000); do
+  [[ -e $folder/whole/frames/0000.png ]] && [[ $(wc -c <"$folder/whole/frames/0000.png") -gt 100000 ]] && break
+  sleep 0.02
+done
+kill -INT $pid
+wait $pid
+code=$?
+((code == 3)) || fail "interrupted while pictures waited it returned $code instead of 3"
+grep -q "interrupted after [1-4] of 5 frames" "$folder/err" || fail "it did not say how many pictures are there"
+
 cat >"$folder/tap.json" <<'JSON'
 {
   "fluid": {
