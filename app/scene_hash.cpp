@@ -9,7 +9,7 @@ namespace spindrift::app {
 namespace {
 
 // To be raised when the same settings begin to give other particles, or the cache's files change.
-constexpr int particles_version = 10;
+constexpr int particles_version = 11;
 
 __extension__ typedef unsigned __int128 Bits128;
 

@@ -8,6 +8,11 @@ namespace {
 /// How far a step may move liquid that falls freely, in spacings.
 constexpr double longest_way = 0.02;
 
+/// Of the mean compression that is asked for, what a step may leave. Measured on 16 pools with a
+/// body in them: with 1 the first frame is compressed by up to 1.6 times what is asked for on
+/// average, with 0.5 by 1.2, with 0.25 by 1.1, and by less than that in 15 of them.
+constexpr float tightness = 0.25f;
+
 }  // namespace
 
 Creep::Creep(const InitialParticles& initial, std::uint32_t next_id) {
@@ -21,6 +26,11 @@ Creep::Creep(const InitialParticles& initial, std::uint32_t next_id) {
 
 double Creep::longest_step(double acceleration, float spacing) {
   return std::sqrt(longest_way * spacing / acceleration);
+}
+
+SolverSettings Creep::tightened(SolverSettings settings) {
+  settings.mean_compression *= tightness;
+  return settings;
 }
 
 void Creep::begin(Executor& executor, Particles& particles) {

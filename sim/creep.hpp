@@ -19,6 +19,10 @@ class Creep {
   /// The longest step in which an acceleration, m/s², moves liquid a small part of the spacing, s.
   static double longest_step(double acceleration, float spacing);
 
+  /// Tolerances of the steps: where loose particles meet those that stay, some compression is left
+  /// over and above what a step leaves.
+  static SolverSettings tightened(SolverSettings settings);
+
   /// Notes where the particles are and how fast, and stops them.
   void begin(Executor& executor, Particles& particles);
   /// After each step: stops them again, and puts those back that are to stay.

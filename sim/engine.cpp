@@ -332,12 +332,18 @@ struct Run final : Engine {
       frame_end = std::numeric_limits<double>::max();
       particles.mean_pressure.resize(particles.count);
       particles.mean_pressure.fill(0);
+      std::unique_ptr<PressureSolver> creeping =
+          corrects_density() ? make_pcisph(Creep::tightened(settings.solver), constants) : nullptr;
+      if (creeping)
+        solver.swap(creeping);
       creep->begin(executor, particles);
       for (int k = 0; k < Creep::steps; ++k) {
         step(dt, unused);
         creep->end_step(executor, particles);
       }
       creep->end(executor, particles);
+      if (creeping)
+        solver.swap(creeping);
       particles.mean_pressure.fill(0);
       walls.boundary().mean_pressures().fill(0);
       time_step = before;

@@ -134,7 +134,8 @@ TEST_CASE("a pool with a ball in it is settled once, and goes on from there") {
   s.obstacles = {{Sphere{{0.25f, 0.2f, 0.25f}, 0.15f}}};
   Simulation simulation(s);
   const FrameStatistics start = simulation.advance_to(0);
-  CHECK(start.mean_compression < 1.5 * s.solver.mean_compression);
+  CHECK(start.mean_compression < s.solver.mean_compression);
+  CHECK(start.max_compression < s.solver.max_compression);
   const Frame first = simulation.frame();
   const FrameStatistics next = simulation.advance_to(0.02);
   CHECK(next.mean_compression <= s.solver.mean_compression);
