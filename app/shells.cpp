@@ -1,16 +1,17 @@
 #include "app/shells.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "app/closed_surface.hpp"
+#include "sim/box_tree.hpp"
 
 namespace spindrift::app {
 namespace {
 
-/// So many places are looked up at most, which takes some seconds.
-constexpr std::size_t most_lookups = 10'000'000;
+/// So many places are looked up at most, and so many pairs of shells compared whose boxes meet,
+/// which takes some seconds.
+constexpr std::size_t most_lookups = 10'000'000, most_pairs = 200'000'000;
 
 /// Places nearer to a shell than this part of its width are neither inside nor outside.
 constexpr float surface_part = 1e-5f;
@@ -90,32 +91,27 @@ class Enclosure {
 std::vector<std::size_t> cavities_among(const sim::TriangleSurface& surface,
                                         const std::vector<Shell>& shells) {
   std::vector<Enclosure> enclosures;
-  enclosures.reserve(shells.size());
+  std::vector<sim::Box> boxes;
   for (const Shell& shell : shells) {
-    enclosures.emplace_back(surface, shell);
+    const Enclosure& enclosure = enclosures.emplace_back(surface, shell);
+    boxes.push_back({enclosure.low(), enclosure.high()});
   }
-  // Along x, a shell begins no later than what lies within it; the larger of two is first.
-  std::vector<std::size_t> order(shells.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    const Enclosure &a = enclosures[i], &b = enclosures[j];
-    return a.low().x < b.low().x || (a.low().x == b.low().x && a.volume() > b.volume());
-  });
-  std::vector<std::size_t> cavities, passed;  // passed: those that reach as far along x
-  std::size_t lookups = 0;
-  for (const std::size_t i : order) {
-    const Enclosure& inner = enclosures[i];
-    std::erase_if(passed, [&](auto j) { return enclosures[j].high().x < inner.low().x; });
-    const auto around = std::count_if(passed.begin(), passed.end(), [&](std::size_t j) {
-      return enclosures[j].contains(inner, surface, lookups);
+  const sim::BoxTree tree(boxes);
+  std::vector<std::size_t> cavities;
+  std::vector<std::uint32_t> near;
+  std::size_t lookups = 0, pairs = 0;
+  for (std::size_t i = 0; i < enclosures.size(); ++i) {
+    tree.find(boxes[i], near);
+    pairs += near.size();
+    const auto around = std::count_if(near.begin(), near.end(), [&](std::uint32_t j) {
+      return enclosures[j].contains(enclosures[i], surface, lookups);
     });
     if (around % 2 != 0) {
       cavities.push_back(i);
     }
-    if (lookups > most_lookups) {
+    if (lookups > most_lookups || pairs > most_pairs) {
       throw MeshError("has too many parts within each other to tell what is hollow");
     }
-    passed.push_back(i);
   }
   return cavities;
 }

@@ -139,4 +139,20 @@ TEST_CASE("many parts are told apart in time") {
   CHECK(enclosed_volume(closed) == Approx(41 * 41 * 41 - 1000));
 }
 
+TEST_CASE("many parts along one axis are told apart in time, whichever it is") {
+  const int axis = GENERATE(0, 1, 2);
+  sim::TriangleSurface mesh = box(21001, 42001);
+  for (int k = 0; k < 21000; ++k) {
+    glm::vec3 low(0);
+    low[axis] = static_cast<float>(k);
+    const auto stone = box_mesh(low, low + 0.5f);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), stone.vertices.begin(), stone.vertices.end());
+    for (const glm::uvec3& t : stone.triangles)
+      mesh.triangles.push_back(t + first);
+  }
+  // Two hundred million pairs that are looked at would be refused.
+  CHECK(inner_shells(closed_surface(mesh)) == 0);
+}
+
 }  // namespace app_closed_surface_tests
