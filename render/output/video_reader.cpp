@@ -6,7 +6,6 @@ extern "C" {
 }
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
@@ -17,6 +16,7 @@ extern "C" {
 #include "render/output/input_file.hpp"
 #include "render/output/libav.hpp"
 #include "render/output/output.hpp"
+#include "render/output/video_input.hpp"
 
 namespace spindrift::output {
 namespace {
@@ -28,21 +28,6 @@ int color_space_of(const AVFrame& frame) {
     return frame.height >= 720 ? SWS_CS_ITU709 : SWS_CS_ITU601;
   return frame.colorspace;
 }
-
-/// Containers that a video of its own comes in, and still pictures; playlists and the like, which
-/// are made of other files, are none.
-constexpr const char* containers =
-    "mov,matroska,avi,mpegts,mpeg,mpegvideo,m4v,h264,hevc,av1,ivf,flv,ogg,asf,mxf,nut,yuv4mpegpipe,"
-    "gif,apng,jpeg_pipe,png_pipe,bmp_pipe,tiff_pipe,webp_pipe,ppm_pipe";
-
-/// For what a container names: no file is opened but the video's.
-int open_nothing(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary**) {
-  return AVERROR(EPERM);
-}
-
-struct CloseInput {
-  void operator()(AVIOContext* p) const { avio_close(p); }
-};
 
 }  // namespace
 
@@ -65,29 +50,16 @@ struct VideoReader::Impl {
 
   void open_file() {
     require_regular_file(file);
-    // "file:" lest a colon in the path be read as a protocol.
-    const std::string url = "file:" + file.string();
-    AVIOContext* bytes = nullptr;
-    check(avio_open(&bytes, url.c_str(), AVIO_FLAG_READ));
-    input.reset(bytes);
-    AVFormatContext* opened = owned(avformat_alloc_context()).release();
-    opened->pb = input.get();
-    opened->io_open = open_nothing;
-    AVDictionary* options = nullptr;
-    av_dict_set(&options, "format_whitelist", containers, 0);
-    const int result = avformat_open_input(&opened, url.c_str(), nullptr, &options);
-    av_dict_free(&options);
-    check(result);
-    demuxer.reset(opened);
+    check(input.open(file));
     find_streams();
   }
 
   /// Some containers do not say at their beginning what they hold; then pictures are decoded here.
   void find_streams() {
-    std::vector<AVDictionary*> options(demuxer->nb_streams);
+    std::vector<AVDictionary*> options(input.demuxer()->nb_streams);
     for (AVDictionary*& of_stream : options)
       av_dict_set_int(&of_stream, "max_pixels", most_pixels, 0);
-    const int result = avformat_find_stream_info(demuxer.get(), options.data());
+    const int result = avformat_find_stream_info(input.demuxer(), options.data());
     for (AVDictionary*& of_stream : options)
       av_dict_free(&of_stream);
     check(result);
@@ -95,9 +67,9 @@ struct VideoReader::Impl {
 
   void open_decoder() {
     const AVCodec* codec = nullptr;
-    stream = check(av_find_best_stream(demuxer.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0));
+    stream = check(av_find_best_stream(input.demuxer(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0));
     decoder = owned(avcodec_alloc_context3(codec));
-    check(avcodec_parameters_to_context(decoder.get(), demuxer->streams[stream]->codecpar));
+    check(avcodec_parameters_to_context(decoder.get(), input.demuxer()->streams[stream]->codecpar));
     decoder->max_pixels = most_pixels;
     check(avcodec_open2(decoder.get(), codec, nullptr));
   }
@@ -105,7 +77,7 @@ struct VideoReader::Impl {
   /// Gives the decoder the next piece of the video, or its end.
   void feed() {
     for (;;) {
-      const int result = av_read_frame(demuxer.get(), packet.get());
+      const int result = av_read_frame(input.demuxer(), packet.get());
       if (result == AVERROR_EOF) {
         check(avcodec_send_packet(decoder.get(), nullptr));
         return;
@@ -184,8 +156,7 @@ struct VideoReader::Impl {
   }
 
   std::filesystem::path file;
-  std::unique_ptr<AVIOContext, CloseInput> input;
-  Owned<AVFormatContext> demuxer;
+  VideoInput input;
   Owned<AVCodecContext> decoder;
   Owned<SwsContext> converter;
   Owned<AVPacket> packet;

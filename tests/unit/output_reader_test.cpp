@@ -165,6 +165,17 @@ TEST_CASE("a PNG with more pixels than it can hold is refused before memory is t
   CHECK(video_length(folder / "pipe.png") == 0);
 }
 
+TEST_CASE("a playlist has no length, whatever the videos that it names have") {
+  const TemporaryFolder folder;
+  VideoWriter writer(folder / "two.mp4", {.width = 32, .height = 32});
+  for (int k = 0; k < 2; ++k)
+    writer.add(solid(32, 32, 50, 60, 70));
+  writer.finish();
+  CHECK(video_length(folder / "two.mp4") == 2);
+  write_file(folder / "video.mp4", "ffconcat version 1.0\nfile two.mp4\n");
+  CHECK(video_length(folder / "video.mp4") == 0);
+}
+
 TEST_CASE("an encoded PNG is the file's content") {
   const TemporaryFolder folder;
   const Image image = waves(20, 10, 0);
