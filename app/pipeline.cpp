@@ -183,7 +183,7 @@ class WritingStage {
     if (fs::exists(name) && output::video_length(name) > count)
       fs::remove(part_);
     else
-      fs::rename(part_, name);
+      output::give_name(part_, name);
     record_.video = name;
   }
 
@@ -322,6 +322,8 @@ class Pipeline {
   }
 
   void make_folders() {
+    output::require_replaceable(options_.output / video_name(options_, record_.first_frame,
+                                                             record_.frames_wanted, scene_.video));
     output::make_folders(options_.output / "frames");
     if (options_.export_meshes)
       output::make_folders(options_.output / "meshes");

@@ -129,6 +129,21 @@ Json ranges_of(const std::vector<RunFile>& files) {
   return ranges;
 }
 
+/// The frames' figures that a run.json holds; none where there are none, or some are not as the
+/// program writes them.
+Json frames_in(const Json& run) {
+  const auto is_ours = [](const Json& frame) {
+    const auto has = [&](const char* key) {
+      return frame.is_object() && frame.contains(key) && frame[key].is_number();
+    };
+    return has("steps") && has("rejected_steps") && has("iterations") && has("mean_compression") &&
+           has("max_compression");
+  };
+  const Json frames = run.value("frames", Json());
+  return frames.is_array() && std::all_of(frames.begin(), frames.end(), is_ours) ? frames
+                                                                                 : Json::array();
+}
+
 std::ptrdiff_t lines_of(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }
@@ -277,9 +292,8 @@ bool RunFolder::is_complete(const Json& json, const RunRecord& record) const {
 
 Json RunFolder::finish(const RunRecord& record) {
   Json json = identity();
-  const Json earlier = !previous_.is_null() && belongs(Part::particles)
-                           ? previous_.value("frames", Json::array())
-                           : Json::array();
+  const Json earlier =
+      !previous_.is_null() && belongs(Part::particles) ? frames_in(previous_) : Json::array();
   json.update(report_json(scene_, record, earlier));
   add_contents(json, record);
   write(json);

@@ -19,20 +19,6 @@ constexpr std::size_t kBufferBytes = 256 * 1024;
   throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(error));
 }
 
-// Refused before anything is rendered, rather than when it is to be renamed. A device such as
-// /dev/null must not be replaced by a file.
-void require_replaceable(const std::filesystem::path& file) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(file, ignored);
-  if (!file.has_filename() || std::filesystem::is_directory(status)) {
-    fail(file, EISDIR);
-  }
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw std::runtime_error("cannot write " + file.string() +
-                             ": a file that is not a regular one has this name");
-  }
-}
-
 // ".video.1234-0.part.mp4": hidden from listings and globs, and the extension stays, since
 // libraries go by it. The process id and the attempt keep two writers of the same file apart.
 std::filesystem::path temporary_for(const std::filesystem::path& file, int attempt) {
@@ -52,6 +38,28 @@ bool is_part(const std::string& name) {
 }
 
 }  // namespace
+
+// Refused before anything is rendered, rather than when it is to be renamed. A device such as
+// /dev/null must not be replaced by a file.
+void require_replaceable(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  if (!file.has_filename() || std::filesystem::is_directory(status)) {
+    fail(file, EISDIR);
+  }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw std::runtime_error("cannot write " + file.string() +
+                             ": a file that is not a regular one has this name");
+  }
+}
+
+void give_name(const std::filesystem::path& part, const std::filesystem::path& file) {
+  if (::rename(part.c_str(), file.c_str()) != 0) {
+    const int error = errno;
+    ::unlink(part.c_str());
+    fail(file, error);
+  }
+}
 
 void make_folders(const std::filesystem::path& folder) {
   std::error_code error;
@@ -144,12 +152,12 @@ void AtomicFile::commit() {
   }
   flush();
   // Some file systems report a full disk only here.
-  const int closed = ::close(std::exchange(descriptor_, -1));
-  if (closed != 0 || ::rename(temporary_.c_str(), file_.c_str()) != 0) {
+  if (::close(std::exchange(descriptor_, -1)) != 0) {
     const int error = errno;
     ::unlink(temporary_.c_str());
     fail(file_, error);
   }
+  give_name(temporary_, file_);
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

@@ -54,6 +54,12 @@ void make_folders(const std::filesystem::path& folder);
 /// A hidden name beside a file's own for a file that is not complete yet, with its extension.
 std::filesystem::path part_name(const std::filesystem::path& file);
 
+/// Throws where a folder, or what is not a regular file, has a name that a file is to get.
+void require_replaceable(const std::filesystem::path& file);
+
+/// Gives a complete file its name, in place of an older one; where that fails it is removed.
+void give_name(const std::filesystem::path& part, const std::filesystem::path& file);
+
 /// Removes the files of such names in a folder, which are left where a process was ended by force.
 /// To be called where no other process writes in the folder.
 void remove_part_files(const std::filesystem::path& folder);

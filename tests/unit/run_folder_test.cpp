@@ -197,6 +197,28 @@ TEST_CASE("part files of killed runs are gone after the next run, in every subfo
     CHECK_FALSE(fs::exists(part));
 }
 
+TEST_CASE("a folder by the name of the video is noticed before anything is drawn") {
+  const TemporaryFolder folder;
+  const auto options = options_for(folder / "run");
+  fs::create_directories(options.output / "video.mp4");
+  CHECK(app::run_render(scene(), options) == app::run_failed);
+  for (const std::string& name : files_in(options.output))
+    CHECK(name == "run.json");
+}
+
+TEST_CASE("frames' figures that are none are not added up") {
+  const TemporaryFolder folder;
+  auto options = options_for(folder / "run");
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  auto damaged = report_of(options.output);
+  damaged["frames"][4].erase("steps");
+  damaged["frames"][5]["mean_compression"] = "much";
+  output::write_file(options.output / "run.json", damaged.dump());
+  options.frames = app::FrameRange{0, 2};
+  REQUIRE(app::run_render(scene(), options) == app::done);
+  CHECK(report_of(options.output).at("frames").size() == 3);
+}
+
 TEST_CASE("a second run in a folder is refused while the first is at work") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
