@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/disk_estimate.hpp"
+#include "app/folder_entries.hpp"
 #include "app/json_file.hpp"
 #include "app/machine_limits.hpp"
 #include "app/simulation_record.hpp"
@@ -55,16 +57,16 @@ KeptSimulation described(const fs::path& folder, std::vector<fs::path> frames) {
 /// All below a folder, in the order of their paths.
 std::vector<KeptSimulation> kept_below(const fs::path& root) {
   std::vector<fs::path> folders;
-  for (const auto& entry :
-       fs::recursive_directory_iterator(root, fs::directory_options::skip_permission_denied))
-    if (entry.is_directory() && entry.path().parent_path().filename() == "particles")
+  std::error_code gone;
+  for (const auto& entry : entries_below(root))
+    if (entry.is_directory(gone) && entry.path().parent_path().filename() == "particles")
       folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   std::vector<KeptSimulation> found;
   for (const fs::path& folder : folders) {
     std::vector<fs::path> frames;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.is_regular_file() && entry.path().extension() == ".particles" &&
+    for (const auto& entry : entries_in(folder))
+      if (entry.is_regular_file(gone) && entry.path().extension() == ".particles" &&
           !entry.path().filename().string().starts_with("."))
         frames.push_back(entry.path());
     if (!frames.empty())
@@ -102,11 +104,13 @@ bool remove(const KeptSimulation& kept) {
 
 int run_cache(const CacheOptions& options) {
   std::vector<KeptSimulation> chosen;
+  std::set<fs::path> seen;  // a folder may be given by two names, or with one above it
   for (const fs::path& folder : options.folders) {
     if (!fs::is_directory(folder))
       throw InputError(fmt::format("{}: there is no such folder", folder.string()));
     for (KeptSimulation& kept : kept_below(folder))
-      if (kept.age >= options.older_than && !(options.unused && kept.used))
+      if (seen.insert(fs::weakly_canonical(kept.folder)).second && kept.age >= options.older_than &&
+          !(options.unused && kept.used))
         chosen.push_back(std::move(kept));
   }
   bool all_removed = true;

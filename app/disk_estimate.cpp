@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/folder_entries.hpp"
+
 namespace spindrift::app {
 namespace {
 
@@ -43,11 +45,11 @@ DiskEstimate disk_estimate(const Scene& scene, const RenderOptions& options, con
 
 std::uint64_t folder_bytes(const fs::path& folder) {
   std::uint64_t sum = 0;
-  std::error_code ignored;  // files come and go meanwhile
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
-    const bool regular = entry.is_regular_file(ignored);
-    const std::uintmax_t size = regular ? entry.file_size(ignored) : 0;
-    sum += ignored ? 0 : size;
+  for (const fs::directory_entry& entry : entries_below(folder)) {
+    std::error_code gone;
+    const bool regular = entry.is_regular_file(gone);
+    const std::uintmax_t size = regular ? entry.file_size(gone) : 0;
+    sum += gone ? 0 : size;
   }
   return sum;
 }

@@ -92,6 +92,8 @@ taken=$(cat "$folder"/run/particles/*/*.particles | wc -c)
 "$program" cache "$folder" >"$folder/out" 2>"$folder/err" || fail "cache returned $?"
 (($(grep -c "3 frames .*min old .*particles/.* $folder/scene.json" "$folder/out") == 2)) || fail "not both are listed"
 (($(grep -c " unused " "$folder/out") == 1)) || fail "not the one that is used no more is told from the other"
+"$program" cache "$folder" "$folder/run" "$folder/run/../run/particles" >"$folder/out" 2>"$folder/err" || fail "cache returned $?"
+grep -q "^2 kept simulations" "$folder/out" || fail "one that is under two names counts twice"
 "$program" cache "$folder" --remove --older-than 1h >"$folder/out" 2>"$folder/err" || fail "cache --remove returned $?"
 (($(ls "$folder/run/particles" | wc -l) == 2)) || fail "young ones were removed"
 exec 9>"$folder/run/.lock"
