@@ -108,14 +108,32 @@ std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitt
   return std::nullopt;
 }
 
-/// Whether liquid can be at a place: in the domain, or before an open face of it, and in no
-/// obstacle that stands still.
-bool has_room(const sim::Settings& s, const glm::vec3& p) {
-  return sim::OpenFaces(s.domain).is_before(sim::from_glm(p), s.domain) &&
-         std::none_of(s.obstacles.begin(), s.obstacles.end(), [&](const sim::Obstacle& obstacle) {
-           return !obstacle.motion && sim::is_inside(obstacle.shape, p);
-         });
-}
+/// Where liquid can be near a nozzle.
+class Room {
+ public:
+  /// @param reach from the points that are looked at, m
+  Room(const sim::Settings& s, const std::vector<glm::vec3>& points, float reach) : settings_(s) {
+    sim::Box around{points[0], points[0]};
+    for (const glm::vec3& p : points)
+      around = {glm::min(around.min, p), glm::max(around.max, p)};
+    around = {around.min - reach, around.max + reach};
+    for (const sim::Obstacle& obstacle : s.obstacles)
+      if (!obstacle.motion && !sim::is_apart(sim::bounds_of(obstacle.shape), around))
+        standing_.push_back(&obstacle.shape);
+  }
+
+  /// Whether a place is in the domain, or before an open face of it, and in no obstacle that stands
+  /// still.
+  bool is_at(const glm::vec3& p) const {
+    return sim::OpenFaces(settings_.domain).is_before(sim::from_glm(p), settings_.domain) &&
+           std::none_of(standing_.begin(), standing_.end(),
+                        [&](const sim::Shape* shape) { return sim::is_inside(*shape, p); });
+  }
+
+ private:
+  const sim::Settings& settings_;
+  std::vector<const sim::Shape*> standing_;  ///< near the nozzle
+};
 
 /// The shortest way from a place in a wall to where liquid can be.
 struct WayOut {
@@ -139,11 +157,14 @@ const std::array<glm::vec3, 100>& all_directions() {
   return directions;
 }
 
+constexpr float looked_beyond = 0.25f;  ///< a way's end, spacings
+
 /// Looks in all directions for the nearest place that has room and `counts`, up to `most` spacings
 /// away.
 template <class Counts>
-WayOut way_out(const sim::Settings& s, const glm::vec3& place, float most, const Counts& counts) {
-  constexpr float step = 0.125f, beyond = 0.25f;  // spacings
+WayOut way_out(const Room& room, float spacing, const glm::vec3& place, float most,
+               const Counts& counts) {
+  constexpr float step = 0.125f;  // spacings
   struct Ways {
     int count = 0;
     glm::vec3 sum{0.f};
@@ -151,8 +172,8 @@ WayOut way_out(const sim::Settings& s, const glm::vec3& place, float most, const
   const auto ways_of = [&](float length) {
     Ways ways;
     for (const glm::vec3& along : all_directions()) {
-      const glm::vec3 p = place + length * s.fluid.spacing * along;
-      if (counts(p) && has_room(s, p)) {
+      const glm::vec3 p = place + length * spacing * along;
+      if (counts(p) && room.is_at(p)) {
         ++ways.count;
         ways.sum += along;
       }
@@ -162,7 +183,7 @@ WayOut way_out(const sim::Settings& s, const glm::vec3& place, float most, const
   // The first directions that get out are few; a little further on their mean is that of a cone.
   for (float length = step; length < most; length += step)
     if (ways_of(length).count > 0) {
-      const glm::vec3 sum = ways_of(length + beyond).sum;
+      const glm::vec3 sum = ways_of(length + looked_beyond).sum;
       return {length, glm::length(sum) > 0 ? glm::normalize(sum) : glm::vec3(0.f)};
     }
   return {most, glm::vec3(0.f)};
@@ -180,21 +201,24 @@ std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening&
   const float margin = behind * s.fluid.spacing;
   const glm::vec3 direction = sim::direction_of(opening);
   const sim::OpeningPoints filled = sim::fill_opening(opening, s.fluid.spacing);
+  const float depth = static_cast<float>(sim::Nozzle::depth + 1) * filled.layer_distance;
+  const Room room(s, filled.points, depth + (needed + looked_beyond) * s.fluid.spacing);
   float least = needed;
   glm::vec3 where(0.f);
   for (const glm::vec3& point : filled.points)
     for (int layer = 0; layer <= sim::Nozzle::depth; ++layer) {
       const glm::vec3 p =
           point - (static_cast<float>(layer) + 0.01f) * filled.layer_distance * direction;
-      if (has_room(s, p))
+      if (room.is_at(p))
         continue;
-      const WayOut nearest = way_out(s, p, needed, [](const glm::vec3&) { return true; });
+      const WayOut nearest =
+          way_out(room, s.fluid.spacing, p, needed, [](const glm::vec3&) { return true; });
       const bool own_face =
           glm::dot(nearest.direction, direction) > std::cos((most_turned + roughness) * deg);
       const glm::vec3 at = own_face ? p + nearest.length * s.fluid.spacing * nearest.direction
                                     : point,
                       normal = own_face ? nearest.direction : direction;
-      const WayOut way = way_out(s, p, least, [&](const glm::vec3& other) {
+      const WayOut way = way_out(room, s.fluid.spacing, p, least, [&](const glm::vec3& other) {
         return glm::dot(other - at, normal) < -margin;
       });
       if (way.length < least) {

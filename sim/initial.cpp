@@ -61,7 +61,7 @@ class Filling {
   const std::vector<FilledVolume>& counts() const { return initial_.volumes; }
 
   InitialParticles take() {
-    if (!cut_.empty())
+    if (!cut_.empty() && !initial_.positions.empty())
       pack_near_cuts();
     return std::move(initial_);
   }
