@@ -73,25 +73,11 @@ void add_plane(const BenchPlan& plan, const std::filesystem::path& file, const R
     }
 }
 
-/// Where a copy of the scene goes: x becomes offset + direction x.
-struct Tile {
-  glm::vec3 offset{0.f};
-  glm::vec3 direction{1.f};  ///< -1 along an axis: mirrored
-
-  glm::vec3 operator()(glm::vec3 point) const { return offset + direction * point; }
-};
+using Tile = geometry::Mirror;  ///< takes the scene to where a copy of it goes
 
 sim::Shape placed(const sim::Shape& shape, const Tile& tile) {
-  if (const auto* box = std::get_if<sim::Box>(&shape)) {
-    const glm::vec3 a = tile(box->min), b = tile(box->max);
-    return sim::Box{glm::min(a, b), glm::max(a, b)};
-  }
-  if (const auto* sphere = std::get_if<sim::Sphere>(&shape))
-    return sim::Sphere{tile(sphere->center), sphere->radius};
-  if (const auto* cylinder = std::get_if<sim::Cylinder>(&shape))
-    return sim::Cylinder{tile(cylinder->from), tile(cylinder->to), cylinder->radius};
-  if (const auto* capsule = std::get_if<sim::Capsule>(&shape))
-    return sim::Capsule{tile(capsule->from), tile(capsule->to), capsule->radius};
+  if (const auto image = sim::mirrored(shape, tile))
+    return *image;
   throw SceneError("scaling runs repeat their scene side by side; meshes can't be repeated");
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/keyframes.hpp"
+#include "sim/geometry/keyframes.hpp"
 
 namespace spindrift::app {
 namespace {

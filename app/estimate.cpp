@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "sim/fill.hpp"
+#include "sim/geometry/shape.hpp"
 #include "sim/initial.hpp"
-#include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
-#include "sim/shapes.hpp"
-#include "sim/shapes/measures.hpp"
+#include "sim/obstacle_motion.hpp"
 
 namespace spindrift::app {
 namespace {

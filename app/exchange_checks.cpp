@@ -14,10 +14,10 @@
 #include "app/scene_fields.hpp"
 #include "app/shown_text.hpp"
 #include "sim/from_glm.hpp"
-#include "sim/motion.hpp"
+#include "sim/geometry/shape.hpp"
 #include "sim/nozzle.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/open_faces.hpp"
-#include "sim/shapes.hpp"
 
 namespace spindrift::app {
 namespace {

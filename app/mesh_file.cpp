@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "app/closed_surface.hpp"
 #include "app/mesh_readers.hpp"
 #include "app/nearest_name.hpp"
 #include "render/output/input_file.hpp"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "sim/shapes/triangle_tree.hpp"
+#include "sim/geometry/mesh/triangle_surface.hpp"
 
 namespace spindrift::app {
 

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/closed_surface.hpp"
 #include "app/mesh_readers.hpp"
-#include "app/polygon.hpp"
 #include "app/shown_text.hpp"
+#include "sim/geometry/mesh/polygon.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -92,7 +91,7 @@ sim::TriangleSurface read_obj(std::string_view text) {
            word = take_word(rest)) {
         corners.push_back(read_corner(word, before, surface.vertices.size()));
       }
-      cut_polygon(surface.vertices, corners, surface.triangles);
+      geometry::cut_polygon(surface.vertices, corners, surface.triangles);
     }
   });
   return surface;

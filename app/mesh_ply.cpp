@@ -11,10 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "app/closed_surface.hpp"
 #include "app/mesh_readers.hpp"
-#include "app/polygon.hpp"
 #include "app/shown_text.hpp"
+#include "sim/geometry/mesh/polygon.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -357,7 +356,7 @@ class PlySurfaceReader {
           continue;
         }
         read_corners(property, i, corners);
-        placed([&] { cut_polygon(surface_.vertices, corners, surface_.triangles); });
+        placed([&] { geometry::cut_polygon(surface_.vertices, corners, surface_.triangles); });
       }
     }
   }

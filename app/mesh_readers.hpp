@@ -5,9 +5,11 @@
 #include <optional>
 #include <string_view>
 
-#include "sim/shapes/triangle_tree.hpp"
+#include "sim/geometry/mesh/triangle_surface.hpp"
 
 namespace spindrift::app {
+
+using geometry::MeshError;
 
 /// The vertices (v) and faces (f) of a Wavefront OBJ; polygons are cut up, all else is left out,
 /// materials too. @throws MeshError with the line and what is wrong there

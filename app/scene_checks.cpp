@@ -11,9 +11,9 @@
 #include "app/exchange_checks.hpp"
 #include "app/scene_fields.hpp"
 #include "app/shown_text.hpp"
+#include "sim/geometry/shape.hpp"
 #include "sim/initial.hpp"
-#include "sim/shapes.hpp"
-#include "sim/shapes/measures.hpp"
+#include "sim/nozzle.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -66,39 +66,17 @@ class Checker {
           fmt::format(": it has {} bytes; accepted: at most {}", name.size(), longest_scene_name));
   }
 
-  void check_shape(const sim::Box& box, const std::string& path) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(box.min[axis] < box.max[axis])) {
-        return complain(path, fmt::format("min {} is not below max {} in {}", vector_text(box.min),
-                                          vector_text(box.max), "xyz"[axis]));
-      }
-    }
-  }
-
-  void check_shape(const sim::Sphere&, const std::string&) {}
-  void check_shape(const sim::TriangleMesh&, const std::string&) {}  // done when it is read
-
-  template <class Long>  // a cylinder or a capsule
-  void check_shape(const Long& shape, const std::string& path) {
-    if (shape.from == shape.to) {
-      complain(path, "from and to are the same point");
-    }
-  }
-
   void check_shape(const sim::Shape& shape, const std::string& path) {
-    std::visit(
-        [&](const auto& one) {
-          check_shape(one, child_path(path, alternative_names<sim::Shape>[shape.index()]));
-        },
-        shape);
+    if (const std::string problem = sim::problem_of(shape); !problem.empty()) {
+      complain(child_path(path, sim::name_of(shape)), problem);
+    }
   }
 
   void check_domain() {
     const auto& domain = scene_.simulation.domain;
     const float spacing = scene_.simulation.fluid.spacing;
-    check_shape(sim::Box{domain.min, domain.max}, "domain");
-    if (!problems_.empty()) {
-      return;
+    if (const auto problem = sim::Box{domain.min, domain.max}.problem(); !problem.empty()) {
+      return complain("domain", problem);
     }
     for (int axis = 0; axis < 3; ++axis) {
       const float width = domain.max[axis] - domain.min[axis];
@@ -164,7 +142,7 @@ class Checker {
     for (const sim::Emitter& emitter : fluid.emitters) {
       const double until = std::min(static_cast<double>(emitter.to), scene_.video.duration);
       const double time = std::max(0., until - emitter.from);
-      double more = sim::area_of(emitter.opening) * emitter.speed * time / cell;
+      double more = sim::opening_area(emitter.opening) * emitter.speed * time / cell;
       if (emitter.max_particles > 0) {
         more = std::min(more, static_cast<double>(emitter.max_particles));
       }

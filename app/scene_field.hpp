@@ -6,36 +6,21 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <variant>
+
+#include "sim/geometry/keys.hpp"
 
 namespace spindrift::app {
 
-/// Accepted numbers, both ends included; for vectors, each component.
-struct Range {
-  double min = 0.;
-  double max = 0.;
-};
-
-enum class Presence { optional, required };
-
-/// One key: its place in the settings, what it may be, and what it is. A field without a key puts
-/// the keys of its own type (a struct's fields, or a variant's alternatives) into its owner's.
-template <class Owner, class Value>
-struct Field {
-  std::string_view key;
-  Value Owner::*member;
-  std::string_view about = {};
-  Range range = {};
-  std::string_view unit = {};
-  Presence presence = Presence::optional;
-};
-
-template <class Owner, class Value>
-Field(std::string_view, Value Owner::*, std::string_view = {}, Range = {}, std::string_view = {},
-      Presence = Presence::optional) -> Field<Owner, Value>;
-
+/// The fields of a section: given here for settings that do not state them themselves.
 struct NoTable {};
 template <class T>
 inline constexpr NoTable table{};
+template <class T>
+requires requires {
+  T::fields;
+}
+inline constexpr auto table<T> = T::fields;
 
 template <class T>
 concept Section = !std::is_same_v<decltype(table<T>), const NoTable>;
@@ -61,6 +46,9 @@ template <class V>
 inline constexpr std::string_view variant_name{};
 template <class V>
 inline constexpr std::array<std::string_view, 0> alternative_names{};
+template <class... S>
+requires(requires { S::name; } && ...) inline constexpr std::array<
+    std::string_view, sizeof...(S)> alternative_names<std::variant<S...>>{S::name...};
 template <class V>
 concept Alternatives = !variant_name<V>.empty();
 

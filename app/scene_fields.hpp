@@ -34,9 +34,6 @@ inline constexpr std::array<std::string_view, 6> value_names<sim::Direction>{"+x
 template <>
 inline constexpr std::string_view variant_name<sim::Shape> = "shape";
 template <>
-inline constexpr std::array<std::string_view, std::variant_size_v<sim::Shape>>
-    alternative_names<sim::Shape>{"box", "sphere", "cylinder", "capsule", "mesh"};
-template <>
 inline constexpr std::string_view variant_name<sim::Opening> = "opening";
 template <>
 inline constexpr std::array<std::string_view, std::variant_size_v<sim::Opening>>
@@ -48,54 +45,11 @@ inline constexpr std::array<std::string_view, std::variant_size_v<sim::ProbeQuan
     alternative_names<sim::ProbeQuantity>{"surface_height", "pressure", "front", "energy",
                                           "volume"};
 
-inline constexpr Range places{-1e5, 1e5};   // m
-inline constexpr Range lengths{1e-6, 1e5};  // m
-inline constexpr Range speeds{-1e3, 1e3};   // m/s
-inline constexpr Range times{0., 1e5};      // s
-inline constexpr Range directions{-1e6, 1e6};
+inline constexpr Range speeds{-1e3, 1e3};  // m/s
+inline constexpr Range times{0., 1e5};     // s
 inline constexpr Range colors{0., 1.};
 inline constexpr Range accelerations{-1e4, 1e4};  // m/s²
 inline constexpr Range turns{-1e6, 1e6};          // degrees
-
-template <>
-inline constexpr auto table<sim::Box> =
-    std::tuple{Field{"min", &sim::Box::min, "lowest corner", places, "m", Presence::required},
-               Field{"max", &sim::Box::max, "highest corner", places, "m", Presence::required}};
-
-template <>
-inline constexpr auto table<sim::Sphere> =
-    std::tuple{Field{"center", &sim::Sphere::center, "centre", places, "m", Presence::required},
-               Field{"radius", &sim::Sphere::radius, "radius", lengths, "m", Presence::required}};
-
-template <>
-inline constexpr auto table<sim::Cylinder> = std::tuple{
-    Field{"from", &sim::Cylinder::from, "centre of one end", places, "m", Presence::required},
-    Field{"to", &sim::Cylinder::to, "centre of the other end", places, "m", Presence::required},
-    Field{"radius", &sim::Cylinder::radius, "radius", lengths, "m", Presence::required}};
-
-template <>
-inline constexpr auto table<sim::Capsule> = std::tuple{
-    Field{"from", &sim::Capsule::from, "one end of the line that all points are near", places, "m",
-          Presence::required},
-    Field{"to", &sim::Capsule::to, "the line's other end", places, "m", Presence::required},
-    Field{"radius", &sim::Capsule::radius, "largest distance from the line", lengths, "m",
-          Presence::required}};
-
-template <>
-inline constexpr auto table<sim::TriangleMesh> = std::tuple{
-    Field{
-        "file",
-        &sim::TriangleMesh::file,
-        "OBJ or PLY file with a closed surface of triangles; its path from the scene file's folder",
-        {},
-        {},
-        Presence::required},
-    Field{"scale", &sim::TriangleMesh::scale, "size of the file's unit", lengths, "m"},
-    Field{"rotate", &sim::TriangleMesh::rotate,
-          "angles about the x, then the y, then the z axis, after scaling", Range{-360., 360.},
-          "degrees"},
-    Field{"translate", &sim::TriangleMesh::translate, "where the file's origin is put", places,
-          "m"}};
 
 template <>
 inline constexpr auto table<sim::Volume> =

@@ -3,7 +3,7 @@
 #include "app/scene.hpp"
 #include "app/scene_values.hpp"
 #include "sim/backend_choice.hpp"
-#include "sim/shapes/mesh_body.hpp"
+#include "sim/geometry/mesh/mesh_body.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 
-#include "app/closed_surface.hpp"
 #include "app/mesh_file.hpp"
-#include "sim/shapes/mesh_body.hpp"
+#include "sim/geometry/mesh/closed_surface.hpp"
+#include "sim/geometry/mesh/mesh_body.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -24,16 +23,10 @@ float widest(const sim::Box& box) {
 
 /// Scaled, rotated about x, y and z in this order, and moved.
 void place(sim::TriangleSurface& surface, const sim::TriangleMesh& mesh) {
-  const glm::dvec3 angles = glm::radians(glm::dvec3(mesh.rotate));
-  glm::dmat4 turn(1.);
-  for (const int axis : {2, 1, 0}) {
-    glm::dvec3 direction(0.);
-    direction[axis] = 1.;
-    turn = glm::rotate(turn, angles[axis], direction);
-  }
+  const glm::dmat3 turn = geometry::rotation_by(glm::dvec3(mesh.rotate));
   for (glm::vec3& v : surface.vertices) {
     const glm::dvec3 scaled = double{mesh.scale} * glm::dvec3(v);
-    v = glm::vec3(glm::dmat3(turn) * scaled + glm::dvec3(mesh.translate));
+    v = glm::vec3(turn * scaled + glm::dvec3(mesh.translate));
   }
 }
 
@@ -57,8 +50,8 @@ class MeshLoader {
     const std::filesystem::path file = folder_ / mesh->file;
     sim::TriangleSurface surface;
     try {
-      surface = closed_surface(read_mesh_file(file));
-    } catch (const MeshError& error) {
+      surface = geometry::closed_surface(read_mesh_file(file));
+    } catch (const geometry::MeshError& error) {
       return complain(child_path(path, "file"), fmt::format("{}: {}", file.string(), error.what()));
     }
     place(surface, *mesh);
@@ -119,7 +112,7 @@ std::vector<Complaint> mesh_warnings(const Scene& scene) {
   std::vector<Complaint> warnings;
   for_each_shape(scene, [&](const sim::Shape& shape, const std::string& path) {
     const auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
-    const std::size_t shells = mesh ? inner_shells(mesh->body->surface()) : 0;
+    const std::size_t shells = mesh ? geometry::inner_shells(mesh->body->surface()) : 0;
     if (shells > 0) {
       warnings.push_back(
           {child_path(path, "mesh"),

@@ -10,11 +10,10 @@
 #include "app/scene_meshes.hpp"
 #include "app/shown_text.hpp"
 #include "sim/fill.hpp"
+#include "sim/geometry/shape.hpp"
 #include "sim/initial.hpp"
-#include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
-#include "sim/shapes.hpp"
-#include "sim/shapes/measures.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/standing_bodies.hpp"
 
 namespace spindrift::app {

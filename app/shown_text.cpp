@@ -113,8 +113,4 @@ std::string litres_text(double volume) {
   return fmt::format("{:.0f}", std::round(litres / unit) * unit);
 }
 
-std::string vector_text(const glm::vec3& v) {
-  return fmt::format("[{:g}, {:g}, {:g}]", v.x, v.y, v.z);
-}
-
 }  // namespace spindrift::app

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
+
+#include "sim/geometry/vector_text.hpp"
 
 namespace spindrift::app {
 
@@ -19,8 +20,7 @@ std::string shown(std::string_view text, std::size_t most_letters = 40);
 /// A volume, m³, in litres with three digits that count.
 std::string litres_text(double volume);
 
-/// A vector as scene files have it: [0, 0.5, 1].
-std::string vector_text(const glm::vec3& v);
+using geometry::vector_text;
 
 /// Whether a text holds a character that `escaped` would replace.
 bool holds_control_characters(std::string_view text);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/domain_walls.hpp"
+#include "sim/from_glm.hpp"
 #include "sim/lattice.hpp"
 #include "sim/open_faces.hpp"
-#include "sim/shapes.hpp"
-#include "sim/solid.hpp"
+#include "sim/posed_body.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
@@ -258,8 +259,9 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
   const OpenFaces faces(settings.domain);
   const auto is_bare = [&](const Vec3<float>& p) { return faces.is_before(p, settings.domain); };
   const auto is_free = [&](const Vec3<float>& p) {
-    return is_bare(p) && std::none_of(solids.begin(), solids.end(),
-                                      [&](const Solid& solid) { return contains(solid, p); });
+    return is_bare(p) && std::none_of(solids.begin(), solids.end(), [&](const Solid& solid) {
+             return solid.contains(to_glm(p));
+           });
   };
   solid_.resize(count_);
   const PointView position = position_.view();

@@ -4,9 +4,9 @@
 
 #include "sim/backend.hpp"
 #include "sim/formulas.hpp"
+#include "sim/geometry/surface_sample.hpp"
 #include "sim/particles.hpp"
 #include "sim/settings.hpp"
-#include "sim/shapes/surface_sample.hpp"
 #include "sim/stop.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {

@@ -2,7 +2,7 @@
 // loops are, which look at them.
 #pragma once
 
-#include "sim/host_device.hpp"
+#include "sim/geometry/host_device.hpp"
 
 namespace spindrift::sim {
 

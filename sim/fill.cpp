@@ -5,9 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/shapes.hpp"
-#include "sim/shapes/measures.hpp"
-#include "sim/solid.hpp"
+#include "sim/geometry/solid.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -72,31 +70,14 @@ Lattice best_lattice(const Box& box, float spacing, std::optional<float> edge) {
   return best;
 }
 
-/// The axis, 0 to 2, along which a cylinder lies; none: askew, or another shape.
-std::optional<int> axis_of(const Shape& shape) {
-  const auto* cylinder = std::get_if<Cylinder>(&shape);
-  if (cylinder == nullptr)
-    return std::nullopt;
-  const glm::vec3 way = glm::abs(cylinder->to - cylinder->from);
-  for (int axis = 0; axis < 3; ++axis)
-    if (way[axis] > 0 && way[(axis + 1) % 3] == 0 && way[(axis + 2) % 3] == 0)
-      return axis;
-  return std::nullopt;
-}
-
 bool fills_like_a_box(const Shape& shape) {
-  return std::holds_alternative<Box>(shape) || std::holds_alternative<TriangleMesh>(shape);
+  return glm::all(flat_along(shape));
 }
 
 /// Steps of the lattice that fills a shape, m.
 glm::vec3 steps_in(const Shape& shape, float spacing) {
-  const Lattice across = lattice_in(bounds_of(shape), spacing);
-  if (fills_like_a_box(shape))
-    return across.step;
-  glm::vec3 step(spacing);
-  if (const std::optional<int> axis = axis_of(shape))
-    step[*axis] = across.step[*axis];
-  return step;
+  return glm::mix(glm::vec3(spacing), lattice_in(bounds_of(shape), spacing).step,
+                  flat_along(shape));
 }
 
 /// Calls f(point) for those inside a shape.
@@ -109,7 +90,7 @@ void for_points_inside(const Shape& shape, const Lattice& lattice, Stop stop, F 
       throw_if_stopped(stop);
       for (int i = 0; i < lattice.counts.x; ++i) {
         const glm::vec3 p = lattice.point({i, j, k});
-        if (all || contains(solid, {p.x, p.y, p.z}))
+        if (all || solid.contains(p))
           f(p);
       }
     }
@@ -120,10 +101,11 @@ void for_points_inside(const Shape& shape, const Lattice& lattice, Stop stop, F 
 std::vector<Lattice> round_lattices(const Shape& shape, float spacing, float edge) {
   const Box bounds = bounds_of(shape);
   const Lattice along = lattice_in(bounds, spacing);
-  const std::optional<int> axis = axis_of(shape);
+  const glm::bvec3 flat = flat_along(shape);
+  const int fixed = (flat.x ? 1 : 0) | (flat.y ? 2 : 0) | (flat.z ? 4 : 0);
   std::vector<Lattice> lattices;
   for (int choice = 0; choice < 8; ++choice) {
-    if (axis && ((choice >> *axis) & 1))
+    if ((choice & fixed) != 0)
       continue;
     Lattice lattice{.origin = 0.5f * (bounds.min + bounds.max), .step = glm::vec3(edge)};
     if (const Sphere* ball = std::get_if<Sphere>(&shape))
@@ -132,13 +114,11 @@ std::vector<Lattice> round_lattices(const Shape& shape, float spacing, float edg
     for (int k = 0; k < 3; ++k)
       lattice.offset[k] = (choice >> k) & 1 ? 0.5f : 0.f;
     lattice.counts = -2 * lattice.first + 1;
-    if (axis) {
-      lattice.origin[*axis] = along.origin[*axis];
-      lattice.step[*axis] = along.step[*axis];
-      lattice.offset[*axis] = along.offset[*axis];
-      lattice.first[*axis] = along.first[*axis];
-      lattice.counts[*axis] = along.counts[*axis];
-    }
+    lattice.origin = glm::mix(lattice.origin, along.origin, flat);
+    lattice.step = glm::mix(lattice.step, along.step, flat);
+    lattice.offset = glm::mix(lattice.offset, along.offset, flat);
+    lattice.first = glm::mix(lattice.first, along.first, flat);
+    lattice.counts = glm::mix(lattice.counts, along.counts, flat);
     lattices.push_back(lattice);
   }
   return lattices;

@@ -4,18 +4,17 @@
 #include <cmath>
 
 #include "sim/cells.hpp"
+#include "sim/domain_walls.hpp"
 #include "sim/fill.hpp"
 #include "sim/fluid_constants.hpp"
 #include "sim/from_glm.hpp"
 #include "sim/kernels.hpp"
 #include "sim/lattice.hpp"
-#include "sim/motion.hpp"
 #include "sim/nozzle.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/outflow.hpp"
 #include "sim/packing.hpp"
 #include "sim/point_cells.hpp"
-#include "sim/shapes.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/shapes.hpp"
-#include "sim/solid.hpp"
+#include "sim/obstacle_motion.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
@@ -17,7 +16,7 @@ constexpr float same_layer = 1e-3f;
 constexpr int parts = 4;
 
 SPINDRIFT_HD float deep_in(const Solid& solid, const Vec3<float>& p) {
-  const Vec3<float> push = push_out(solid, p) - p;
+  const Vec3<float> push = push_out_of(solid, p) - p;
   return square_root(dot(push, push));
 }
 

@@ -15,7 +15,6 @@
 #include "sim/boundary.hpp"
 #include "sim/formulas.hpp"
 #include "sim/posed_body.hpp"
-#include "sim/shapes.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 

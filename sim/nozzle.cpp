@@ -103,7 +103,18 @@ std::int64_t count_done(double guess, std::int64_t most, Done done) {
   return k;
 }
 
+double area(const Disc& disc) {
+  return std::numbers::pi * std::pow(double{disc.radius}, 2);
+}
+double area(const Rectangle& rectangle) {
+  return double{rectangle.width} * rectangle.height;
+}
+
 }  // namespace
+
+double opening_area(const Opening& opening) {
+  return std::visit([](const auto& one) { return area(one); }, opening);
+}
 
 OpeningPoints fill_opening(const Opening& opening, float spacing) {
   return std::visit([&](const auto& one) { return fill(one, spacing); }, opening);

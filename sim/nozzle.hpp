@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/host_device.hpp"
+#include "sim/geometry/host_device.hpp"
 #include "sim/settings.hpp"
 
 namespace spindrift::sim {
@@ -25,6 +25,9 @@ struct OpeningPoints {
   float layer_distance = 0;  ///< m
 };
 OpeningPoints fill_opening(const Opening& opening, float spacing);
+
+/// Area of an opening, m².
+double opening_area(const Opening& opening);
 
 /// Of unit length.
 glm::vec3 direction_of(const Opening& opening);

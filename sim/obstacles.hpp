@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/geometry/solid.hpp"
 #include "sim/posed_body.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 
@@ -33,7 +33,7 @@ struct ObstacleView {
   SPINDRIFT_HD Vec3<float> hold(Vec3<float> p) const {
     p = hold_off_bodies(p);
     for (std::uint32_t k = 0; k < count; ++k)
-      p = push_out(solids[k], p);
+      p = push_out_of(solids[k], p);
     return p;
   }
   /// The same of those that move alone.
@@ -57,8 +57,8 @@ struct ObstacleView {
     p = keep_out_of_bodies(from, p, since);
     for (std::uint32_t k = 0; k < count; ++k) {
       const glm::vec3 begin = to_glm(from), end = to_glm(p);
-      if (may_meet(solids[k], begin, end, margin))
-        p = from_glm(kept_out(solids[k], begin, end, margin));
+      if (solids[k].may_meet(begin, end, margin))
+        p = from_glm(solids[k].end_outside(begin, end, margin));
     }
     return p;
   }
@@ -70,9 +70,8 @@ struct ObstacleView {
       return false;
     const glm::vec3 begin = to_glm(from), end = to_glm(to);
     for (std::uint32_t k = 0; k < count; ++k)
-      if (may_meet(solids[k], begin, end, margin) &&
-          !(solids[k].kind == Solid::Kind::mesh &&
-            solids[k].mesh->is_clear(end, glm::distance(begin, end) + margin)))
+      if (solids[k].may_meet(begin, end, margin) &&
+          !solids[k].is_surely_clear(end, glm::distance(begin, end) + margin))
         return false;
     return true;
   }

@@ -1,5 +1,6 @@
 #include "sim/outflow.hpp"
 
+#include "sim/from_glm.hpp"
 #include "sim/measure.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
@@ -59,7 +60,7 @@ Exchange Outflow::apply(Executor& executor, Particles& particles, const float* h
       return Found{};
     const Vec3<float> p = x[i];
     for (std::size_t k = 0; k < sink_count && way[i] == WayOut::none; ++k)
-      if (contains(sinks[k], p))
+      if (sinks[k].contains(to_glm(p)))
         way[i] = WayOut::drained;
     if (way[i] == WayOut::none && open.any && open.is_beyond(p) && is_outside(p, reach))
       way[i] = WayOut::left;

@@ -5,10 +5,10 @@
 #include "sim/backend.hpp"
 #include "sim/exchange.hpp"
 #include "sim/formulas.hpp"
+#include "sim/geometry/solid.hpp"
 #include "sim/open_faces.hpp"
 #include "sim/particle_exchange.hpp"
 #include "sim/particles.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/obstacle_motion.hpp"
 #include "sim/open_faces.hpp"
-#include "sim/shapes.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -32,6 +32,13 @@ Inside::Inside(const DomainSettings& domain)
   remove(min.x, max.x, open.min.x, open.max.x);
   remove(min.y, max.y, open.min.y, open.max.y);
   remove(min.z, max.z, open.min.z, open.max.z);
+}
+
+std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles) {
+  std::vector<Solid> solids;
+  for (const Obstacle& obstacle : obstacles)
+    solids.push_back(solid_of(obstacle.shape));
+  return solids;
 }
 
 std::vector<PosedBody> posed_bodies(const Settings& settings, double start, double end) {

@@ -6,13 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "sim/entry.hpp"
-#include "sim/motion.hpp"
+#include "sim/from_glm.hpp"
+#include "sim/geometry/solid.hpp"
 #include "sim/real.hpp"
 #include "sim/settings.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim {
+
+SPINDRIFT_HD inline Vec3<float> push_out_of(const Solid& solid, const Vec3<float>& p) {
+  return from_glm(solid.push_out(to_glm(p)));
+}
 
 /// x ↦ M x + t.
 struct Affine {
@@ -68,7 +71,7 @@ struct PosedBody {
 
   /// The point itself, or where a particle gets that goes there from `from`: it does not pass the
   /// body, however fast both are and however thin that is. In the body's frame it goes a straight
-  /// way (sim/entry.hpp).
+  /// way (sim/geometry/entry.hpp).
   /// @param since where the body is when the particle is at `from`
   SPINDRIFT_HD Vec3<float> keep_out(const Vec3<float>& from, const Vec3<float>& p, Since since,
                                     float margin) const;
@@ -107,7 +110,7 @@ struct PosedBody {
   /// outside.
   SPINDRIFT_HD Vec3<float> shortest_push(const Vec3<float>& p) const {
     const Vec3<float> q = pose.back(p);
-    const Vec3<float> out = push_out(solid, q);
+    const Vec3<float> out = push_out_of(solid, q);
     return is_zero(out - q) ? Vec3<float>{0, 0, 0} : pose(out) - p;
   }
 };
@@ -140,9 +143,9 @@ SPINDRIFT_HD inline Vec3<float> PosedBody::keep_out(const Vec3<float>& from, con
                                                     Since since, float margin) const {
   const glm::vec3 begin = to_glm((since == Since::start ? start : pose).back(from)),
                   end = to_glm(pose.back(p));
-  if (!may_meet(solid, begin, end, margin))
+  if (!solid.may_meet(begin, end, margin))
     return p;
-  const glm::vec3 kept = kept_out(solid, begin, end, margin);
+  const glm::vec3 kept = solid.end_outside(begin, end, margin);
   return kept == end ? p : pose(from_glm(kept));
 }
 
@@ -150,9 +153,21 @@ SPINDRIFT_HD inline float PosedBody::depth(const Vec3<float>& p) const {
   const Vec3<float> q = pose.back(p);
   if (!overlap(q, q, bounds, 0))
     return 0;
-  const Vec3<float> push = push_out(solid, q) - q;
+  const Vec3<float> push = push_out_of(solid, q) - q;
   return square_root(dot(push, push));
 }
+
+/// As loops look at obstacles that find meshes elsewhere.
+/// @param meshes has `const MeshView* view_of(const MeshBody&)`
+template <class Meshes>
+std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles, Meshes& meshes) {
+  std::vector<Solid> solids;
+  for (const Obstacle& obstacle : obstacles)
+    solids.push_back(solid_of(obstacle.shape, meshes));
+  return solids;
+}
+/// As loops on the processor look at them.
+std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles);
 
 /// The bodies of all obstacles that move, over a step between two times, s.
 /// @param solids of all obstacles, as loops are to find them

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/host_device.hpp"
+#include "sim/geometry/host_device.hpp"
 #ifndef SPINDRIFT_DEVICE
 #include "sim/openmp/lanes.hpp"
 #endif

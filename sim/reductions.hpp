@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/host_device.hpp"
+#include "sim/geometry/host_device.hpp"
 
 namespace spindrift::sim {
 

@@ -2,49 +2,16 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <memory>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
+#include "sim/geometry/motion.hpp"
+#include "sim/geometry/shape.hpp"
+
 namespace spindrift::sim {
 
-struct Box {
-  glm::vec3 min{0.f};  ///< m
-  glm::vec3 max{1.f};  ///< m
-};
-
-struct Sphere {
-  glm::vec3 center{0.f};  ///< m
-  float radius = 0.5f;    ///< m
-};
-
-struct Cylinder {
-  glm::vec3 from{0.f};          ///< centre of one end, m
-  glm::vec3 to{0.f, 1.f, 0.f};  ///< centre of the other end, m
-  float radius = 0.5f;          ///< m
-};
-
-/// A cylinder with half a ball on each end: all points within `radius` of a line.
-struct Capsule {
-  glm::vec3 from{0.f};          ///< one end of the line, m
-  glm::vec3 to{0.f, 1.f, 0.f};  ///< its other end, m
-  float radius = 0.5f;          ///< m
-};
-
-class MeshBody;
-
-/// A body bounded by triangles that a file holds.
-struct TriangleMesh {
-  std::string file;                      ///< OBJ or PLY
-  float scale = 1.f;                     ///< metres per unit of the file
-  glm::vec3 rotate{0.f};                 ///< about x, then y, then z, after scaling, degrees
-  glm::vec3 translate{0.f};              ///< after rotating, m
-  std::shared_ptr<const MeshBody> body;  ///< what was read, in its place; all that is looked at
-};
-
-using Shape = std::variant<Box, Sphere, Cylinder, Capsule, TriangleMesh>;
+using namespace geometry;
 
 /// A region filled with liquid at the start, but for what obstacles take up of it: particles on a
 /// lattice that fits a box, or the bounds of a mesh, from face to face, as near to the fluid's
@@ -108,39 +75,6 @@ struct DomainSettings {
 /// Particles that come into it are taken away.
 struct Sink {
   Shape shape = Box{};
-};
-
-/// One key of a body's way, relative to where the scene puts it.
-struct MotionKey {
-  float time = 0.f;          ///< s
-  glm::vec3 translate{0.f};  ///< m
-  glm::vec3 rotate{0.f};     ///< about x, then y, then z, through the pivot, degrees
-};
-
-enum class Interpolation { smooth, linear };
-
-/// A swing to and fro: amplitudes times sin(2π frequency time + phase).
-struct Oscillation {
-  glm::vec3 translate{0.f};  ///< amplitude, m
-  glm::vec3 rotate{0.f};     ///< amplitude about x, then y, then z, degrees
-  float frequency = 1.f;     ///< Hz
-  float phase = 0.f;         ///< at time 0, degrees
-};
-
-/// A steady turn about an axis through the pivot.
-struct Spin {
-  glm::vec3 axis{0.f, 1.f, 0.f};  ///< counter-clockwise seen from its tip; need not be unit
-  float frequency = 0.5f;         ///< turns per second
-};
-
-/// How a body moves: where it is depends on nothing but the time. It spins, is rotated, both about
-/// the pivot, and is translated; the parts of keyframes and oscillations add up.
-struct Motion {
-  glm::vec3 pivot{0.f};                                 ///< where the scene puts it, m
-  std::vector<MotionKey> keyframes;                     ///< in the order of their times
-  Interpolation interpolation = Interpolation::smooth;  ///< between keys; before and after: at rest
-  std::vector<Oscillation> oscillations;
-  std::optional<Spin> spin = std::nullopt;
 };
 
 /// A solid body, fixed or moving.

@@ -3,11 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/entry.hpp"
-#include "sim/motion.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/open_faces.hpp"
 #include "sim/posed_body.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -20,14 +18,11 @@ void leave(std::vector<T>& values, const std::vector<std::uint32_t>& chosen) {
   values.resize(chosen.size());
 }
 
-bool is_between(const Solid& solid, glm::vec3 from, const glm::vec3& to, float margin) {
-  if (!may_meet(solid, from, to, 0))
+bool is_between(const Solid& solid, const glm::vec3& from, const glm::vec3& to, float margin) {
+  if (!solid.may_meet(from, to, 0))
     return false;
-  from = to_glm(push_out_of_formula(solid, from_glm(from)));  // but for rounding it was outside
-  const glm::vec3 way = to - from;
-  const Entry entry = solid.kind == Solid::Kind::mesh ? solid.mesh->entry(from, to, 0)
-                                                      : entry_into(solid, from, way);
-  return entry.found && (1 - entry.part) * glm::length(way) > margin;
+  const Entry entry = solid.entry_between(from, to);
+  return entry.found && (1 - entry.part) * glm::distance(from, to) > margin;
 }
 
 }  // namespace

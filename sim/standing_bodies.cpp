@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/shapes.hpp"
+#include "sim/obstacle_motion.hpp"
 
 namespace spindrift::sim {
 namespace {
@@ -63,7 +63,7 @@ int StandingBodies::count_inside(const Body& body, const Box& bounds, const glm:
   for (int k = from.z; k <= to.z; ++k)
     for (int j = from.y; j <= to.y; ++j)
       for (int i = from.x; i <= to.x; ++i)
-        points += contains(body.solid, from_glm(body.back(first + between * glm::vec3(i, j, k))));
+        points += body.solid.contains(body.back(first + between * glm::vec3(i, j, k)));
   return points;
 }
 
@@ -74,7 +74,7 @@ glm::vec3 StandingBodies::push_out(glm::vec3 p) const {
     const std::uint32_t number = near[k++];
     const Body& body = bodies_[number];
     const glm::vec3 q = body.back(p);
-    const glm::vec3 out = to_glm(sim::push_out(body.solid, from_glm(q)));
+    const glm::vec3 out = body.solid.push_out(q);
     if (out == q)
       continue;
     p = glm::vec3(body.pose(glm::dvec3(out)));
@@ -91,7 +91,7 @@ std::vector<glm::vec3> StandingBodies::samples_in(const Box& box, float spacing)
   for (const std::uint32_t b : near)
     for (const SurfaceSample& sample : sample_surface(*bodies_[b].shape, spacing)) {
       const glm::vec3 p(bodies_[b].pose(glm::dvec3(sample.position)));
-      if (is_inside(Shape(box), p))
+      if (is_in(box, p))
         samples.push_back(p);
     }
   return samples;

@@ -5,10 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "sim/box_tree.hpp"
-#include "sim/motion.hpp"
+#include "sim/geometry/box_tree.hpp"
+#include "sim/geometry/solid.hpp"
 #include "sim/settings.hpp"
-#include "sim/solid.hpp"
 
 namespace spindrift::sim {
 

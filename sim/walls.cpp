@@ -4,7 +4,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "sim/motion.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/particles.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {

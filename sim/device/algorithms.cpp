@@ -11,7 +11,7 @@
 #include <cub/device/device_radix_sort.cuh>
 #endif
 
-#include "sim/host_device.hpp"
+#include "sim/geometry/host_device.hpp"
 
 namespace spindrift::sim::inline device {
 namespace {

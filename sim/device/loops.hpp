@@ -16,7 +16,7 @@
 #endif
 
 #include "sim/device/memory.hpp"
-#include "sim/host_device.hpp"
+#include "sim/geometry/host_device.hpp"
 
 namespace spindrift::sim::inline device {
 

@@ -4,9 +4,11 @@
 #include <list>
 
 #include "sim/device/arrays.hpp"
-#include "sim/shapes/mesh_body.hpp"
+#include "sim/geometry/mesh/mesh_body.hpp"
 
 namespace spindrift::sim::inline device {
+
+using namespace geometry;
 
 class Meshes {
  public:

@@ -3,13 +3,13 @@
 
 #include <cstddef>
 
-#include "sim/shapes/mesh_body.hpp"
+#include "sim/geometry/mesh/mesh_body.hpp"
 
 namespace spindrift::sim::inline openmp {
 
 class Meshes {
  public:
-  const MeshView* view_of(const MeshBody& body) { return &body.view(); }
+  const geometry::MeshView* view_of(const geometry::MeshBody& body) { return &body.view(); }
   std::size_t memory_bytes() const { return 0; }
 };
 

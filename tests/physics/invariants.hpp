@@ -11,6 +11,7 @@
 
 #include "sim/contact.hpp"
 #include "sim/initial.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/simulation.hpp"
 #include "sim/time_step.hpp"
 #include "sim/walls.hpp"

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "sim/geometry/solid.hpp"
 #include "sim/initial.hpp"
 #include "sim/simulation.hpp"
-#include "sim/solid.hpp"
 
 namespace placement_tests {
 

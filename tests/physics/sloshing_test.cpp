@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "hard_cases.hpp"
-#include "sim/motion.hpp"
+#include "sim/obstacle_motion.hpp"
 
 namespace sloshing_tests {
 

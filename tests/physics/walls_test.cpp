@@ -6,7 +6,7 @@
 
 #include "mesh_support.hpp"
 #include "sim/initial.hpp"
-#include "sim/motion.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/simulation.hpp"
 
 namespace walls_tests {

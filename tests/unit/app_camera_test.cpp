@@ -8,7 +8,7 @@
 #include "app/camera.hpp"
 #include "app/estimate.hpp"
 #include "app/obstacle_mesh.hpp"
-#include "sim/shapes/measures.hpp"
+#include "sim/geometry/shape.hpp"
 
 namespace app_camera_tests {
 

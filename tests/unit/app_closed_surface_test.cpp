@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "app/closed_surface.hpp"
 #include "app/mesh_readers.hpp"
 #include "mesh_support.hpp"
 #include "render/output/input_file.hpp"
+#include "sim/geometry/mesh/closed_surface.hpp"
 
 namespace app_closed_surface_tests {
 
 using namespace spindrift;
 using namespace spindrift::app;
+using namespace spindrift::geometry;
 using namespace spindrift::test;
 using Catch::Matchers::Contains;
 

@@ -9,17 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "app/closed_surface.hpp"
 #include "app/mesh_file.hpp"
 #include "app/mesh_readers.hpp"
-#include "app/polygon.hpp"
 #include "mesh_support.hpp"
 #include "output_support.hpp"
+#include "sim/geometry/mesh/closed_surface.hpp"
+#include "sim/geometry/mesh/polygon.hpp"
 
 namespace app_mesh_reader_tests {
 
 using namespace spindrift;
 using namespace spindrift::app;
+using namespace spindrift::geometry;
 using namespace spindrift::test;
 using Catch::Matchers::Contains;
 using output_test::TemporaryFolder;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/closed_surface.hpp"
 #include "app/estimate.hpp"
 #include "app/mesh_file.hpp"
 #include "app/obstacle_mesh.hpp"
@@ -16,13 +15,14 @@
 #include "mesh_support.hpp"
 #include "output_support.hpp"
 #include "render/output/output.hpp"
-#include "sim/shapes.hpp"
-#include "sim/shapes/measures.hpp"
+#include "sim/geometry/mesh/closed_surface.hpp"
+#include "sim/geometry/shape.hpp"
 
 namespace app_mesh_tests {
 
 using namespace spindrift;
 using namespace spindrift::app;
+using namespace spindrift::geometry;
 using namespace spindrift::test;
 using output_test::TemporaryFolder;
 

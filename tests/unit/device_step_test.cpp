@@ -10,8 +10,8 @@
 
 #include "sim/device/device_engine.hpp"
 #include "sim/engine.hpp"
-#include "sim/motion.hpp"
-#include "sim/shapes/mesh_body.hpp"
+#include "sim/geometry/mesh/mesh_body.hpp"
+#include "sim/obstacle_motion.hpp"
 #include "sim/simulation.hpp"
 
 namespace device_step_tests {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/shapes/mesh_body.hpp"
+#include "sim/geometry/mesh/mesh_body.hpp"
 
 namespace spindrift::test {
 

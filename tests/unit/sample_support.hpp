@@ -7,13 +7,13 @@
 #include <limits>
 #include <vector>
 
-#include "sim/shapes/surface_sample.hpp"
+#include "sim/geometry/surface_sample.hpp"
 
 namespace spindrift::test {
 
-inline std::vector<glm::vec3> positions(const std::vector<sim::SurfaceSample>& samples) {
+inline std::vector<glm::vec3> positions(const std::vector<geometry::SurfaceSample>& samples) {
   std::vector<glm::vec3> points;
-  for (const sim::SurfaceSample& sample : samples)
+  for (const geometry::SurfaceSample& sample : samples)
     points.push_back(sample.position);
   return points;
 }

@@ -5,8 +5,9 @@
 #include "sample_support.hpp"
 #include "sim/boundary.hpp"
 #include "sim/contact.hpp"
+#include "sim/domain_walls.hpp"
 #include "sim/fill.hpp"
-#include "sim/shapes.hpp"
+#include "sim/geometry/shape.hpp"
 #include "sim/simulation.hpp"
 
 namespace sim_boundary_tests {

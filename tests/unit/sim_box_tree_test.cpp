@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "sim/box_tree.hpp"
-#include "sim/shapes.hpp"
+#include "sim/geometry/box_tree.hpp"
+#include "sim/geometry/shape.hpp"
 
 namespace sim_box_tree_tests {
 

@@ -5,11 +5,11 @@
 
 #include "sim/boundary.hpp"
 #include "sim/fill.hpp"
+#include "sim/geometry/shape.hpp"
+#include "sim/geometry/solid.hpp"
 #include "sim/initial.hpp"
 #include "sim/kernels.hpp"
-#include "sim/shapes/measures.hpp"
 #include "sim/simulation.hpp"
-#include "sim/solid.hpp"
 
 namespace sim_fill_tests {
 
@@ -107,7 +107,7 @@ TEST_CASE("a body between two layers of a lattice leaves the others as they were
   for (const glm::vec3& p : filled.positions) {
     const glm::vec3 cells = p / 0.05f - 0.5f;
     CHECK(glm::distance(cells, glm::round(cells)) < 1e-4f);
-    CHECK_FALSE(contains(s.obstacles[0].shape, {p.x, p.y, p.z}));
+    CHECK_FALSE(is_inside(s.obstacles[0].shape, p));
   }
 }
 

@@ -10,7 +10,7 @@
 #include "sample_support.hpp"
 #include "sim/contact.hpp"
 #include "sim/fill.hpp"
-#include "sim/shapes.hpp"
+#include "sim/geometry/shape.hpp"
 
 namespace sim_mesh_tests {
 
@@ -22,8 +22,7 @@ namespace {
 constexpr float d = 0.05f;
 
 glm::vec3 pushed(const Shape& shape, const glm::vec3& p) {
-  const Vec3<float> q = push_out(shape, {p.x, p.y, p.z});
-  return {q.x, q.y, q.z};
+  return push_out(shape, p);
 }
 
 std::vector<glm::vec3> random_points(int count, float low, float high) {
@@ -143,13 +142,13 @@ TEST_CASE("a point far inside is taken to the nearest surface, and far outside l
 TEST_CASE("closed surfaces that overlap are one body, and a surface turned over is a cavity") {
   const auto box = [](float min, float max) { return box_mesh(glm::vec3(min), glm::vec3(max)); };
   const Shape both = solid(joined(box(0, 0.5f), box(0.3f, 0.8f)), d);
-  CHECK(contains(both, {0.1f, 0.1f, 0.1f}));
-  CHECK(contains(both, {0.4f, 0.4f, 0.4f}));
-  CHECK(contains(both, {0.7f, 0.7f, 0.7f}));
-  CHECK_FALSE(contains(both, {0.1f, 0.1f, 0.7f}));
+  CHECK(is_inside(both, {0.1f, 0.1f, 0.1f}));
+  CHECK(is_inside(both, {0.4f, 0.4f, 0.4f}));
+  CHECK(is_inside(both, {0.7f, 0.7f, 0.7f}));
+  CHECK_FALSE(is_inside(both, {0.1f, 0.1f, 0.7f}));
   const Shape hollow = solid(joined(box(0, 1), box(0.3f, 0.7f), true), d);
-  CHECK(contains(hollow, {0.1f, 0.5f, 0.5f}));
-  CHECK_FALSE(contains(hollow, {0.5f, 0.5f, 0.5f}));
+  CHECK(is_inside(hollow, {0.1f, 0.5f, 0.5f}));
+  CHECK_FALSE(is_inside(hollow, {0.5f, 0.5f, 0.5f}));
 }
 
 TEST_CASE("the winding number is right where rays pass through vertices and edges") {

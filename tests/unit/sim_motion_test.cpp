@@ -5,8 +5,8 @@
 
 #include "sim/contact.hpp"
 #include "sim/initial.hpp"
-#include "sim/motion.hpp"
 #include "sim/moving_bodies.hpp"
+#include "sim/obstacle_motion.hpp"
 
 namespace sim_motion_tests {
 

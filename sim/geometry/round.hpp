@@ -1,0 +1,70 @@
+// What shapes with a round surface share.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numbers>
+#include <vector>
+
+#include "sim/geometry/host_device.hpp"
+#include "sim/geometry/tessellation.hpp"
+
+namespace spindrift::geometry {
+
+/// A direction across an axis of unit length.
+SPINDRIFT_HD inline glm::vec3 across(const glm::vec3& axis) {
+  const glm::vec3 helper =
+      axis.y < 0.9f && axis.y > -0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  return glm::normalize(glm::cross(axis, helper));
+}
+
+/// Three directions at right angles, the second one along the axis.
+glm::mat3 frame_along(const glm::vec3& axis);
+
+/// A radius less a depth, m; something is left of it.
+inline float radius_below(float radius, float depth) {
+  return std::max(radius - depth, 0.1f * radius);
+}
+
+/// The smallest box around a disc at right angles to an axis of unit length: how far it reaches
+/// from its centre, m.
+inline glm::vec3 reach_of_disc(const glm::vec3& axis, float radius) {
+  return radius * glm::sqrt(glm::max(1.f - axis * axis, 0.f));
+}
+
+/// The coordinate's axis, 0 to 2, that a line lies along; -1 where it lies askew.
+inline int axis_along(const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 way = glm::abs(to - from);
+  for (int axis = 0; axis < 3; ++axis)
+    if (way[axis] > 0 && way[(axis + 1) % 3] == 0 && way[(axis + 2) % 3] == 0)
+      return axis;
+  return -1;
+}
+
+/// Points on the surface of a capsule `length` (m) long between the centres of its ends, or of a
+/// ball where that is 0: a spiral with equal area per point, about one per spacing². The height
+/// along the axis falls evenly, since a zone of a ball has the area of a cylinder's (Archimedes),
+/// and the angle grows by the golden angle.
+/// @param frame three directions at right angles; the second is the axis
+std::vector<glm::vec3> points_on_capsule(const glm::vec3& center, const glm::mat3& frame,
+                                         float length, float radius, float spacing);
+
+/// Points on the surface of a cylinder, or of a cone cut off where the radii differ: rings up the
+/// side and concentric rings on both ends, about a spacing apart.
+/// @param radii at `from` and at `to`, m
+std::vector<glm::vec3> points_on_cone(const glm::vec3& from, const glm::vec3& to,
+                                      const glm::vec2& radii, float spacing);
+
+/// A ball that is cut in two at its equator and drawn apart along its axis: one half ball around
+/// `top`, one around `bottom`, and the side between them where the two differ. The frame's second
+/// column is the axis, from bottom to top.
+void tessellate_capsule(Tessellation& into, const glm::vec3& bottom, const glm::vec3& top,
+                        float radius, const glm::mat3& frame);
+
+/// A cylinder, or a cone cut off where the radii differ, with its ends.
+/// @param radii at `from` and at `to`, m
+void tessellate_cone(Tessellation& into, const glm::vec3& from, const glm::vec3& to,
+                     const glm::vec2& radii);
+
+}  // namespace spindrift::geometry

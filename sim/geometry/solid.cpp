@@ -1,0 +1,18 @@
+#include "sim/geometry/solid.hpp"
+
+namespace spindrift::geometry {
+namespace {
+
+/// Meshes where they are.
+struct OwnMeshes {
+  const MeshView* view_of(const MeshBody& body) const { return &body.view(); }
+};
+
+}  // namespace
+
+Solid solid_of(const Shape& shape) {
+  const OwnMeshes meshes;
+  return solid_of(shape, meshes);
+}
+
+}  // namespace spindrift::geometry

@@ -1,0 +1,12 @@
+// Vectors as messages show them.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+namespace spindrift::geometry {
+
+/// A vector as scene files have it: [0, 0.5, 1].
+std::string vector_text(const glm::vec3& v);
+
+}  // namespace spindrift::geometry
