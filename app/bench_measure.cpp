@@ -22,7 +22,7 @@
 #include "app/estimate.hpp"
 #include "app/process.hpp"
 #include "app/threads.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace spindrift::app {
 namespace {

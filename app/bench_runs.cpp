@@ -8,8 +8,8 @@
 
 #include "app/bench_scene.hpp"
 #include "app/scene_fields.hpp"
-#include "sim/initial.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
 
 namespace spindrift::app {
 namespace {

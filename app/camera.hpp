@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/gl/renderer.hpp"
-#include "sim/settings.hpp"
+#include "sim/core/settings.hpp"
 
 namespace spindrift::app {
 

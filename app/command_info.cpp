@@ -9,7 +9,7 @@
 #include "app/report.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/output/output.hpp"
-#include "sim/backend_choice.hpp"
+#include "sim/run/backend_choice.hpp"
 
 namespace spindrift::app {
 namespace {

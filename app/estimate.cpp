@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/fill.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
+#include "sim/flow/nozzle.hpp"
 #include "sim/geometry/shape.hpp"
-#include "sim/initial.hpp"
-#include "sim/nozzle.hpp"
-#include "sim/obstacle_motion.hpp"
+#include "sim/start/fill.hpp"
+#include "sim/start/initial.hpp"
 
 namespace spindrift::app {
 namespace {

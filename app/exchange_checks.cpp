@@ -13,11 +13,11 @@
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
 #include "app/shown_text.hpp"
-#include "sim/from_glm.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
+#include "sim/core/from_glm.hpp"
+#include "sim/core/open_faces.hpp"
+#include "sim/flow/nozzle.hpp"
 #include "sim/geometry/shape.hpp"
-#include "sim/nozzle.hpp"
-#include "sim/obstacle_motion.hpp"
-#include "sim/open_faces.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/scene_document.hpp"
 #include "app/scene_reader.hpp"
 #include "app/shown_text.hpp"
-#include "sim/backend_choice.hpp"
+#include "sim/run/backend_choice.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/obstacle_motion.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
 
 namespace spindrift::app {
 

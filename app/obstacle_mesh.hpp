@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/mesh.hpp"
-#include "sim/settings.hpp"
+#include "sim/core/settings.hpp"
 
 namespace spindrift::app {
 

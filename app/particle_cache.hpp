@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/simulation_record.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace spindrift::app {
 

@@ -20,7 +20,7 @@
 #include "app/threads.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"
-#include "sim/sight.hpp"
+#include "sim/run/sight.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/commands.hpp"
 #include "app/particle_cache.hpp"
 #include "app/probe_table.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace spindrift::app {
 

@@ -11,7 +11,7 @@
 #include "app/progress.hpp"
 #include "app/scene_values.hpp"
 #include "render/output/output.hpp"
-#include "sim/obstacle_motion.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
 
 namespace spindrift::app {
 namespace {

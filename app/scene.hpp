@@ -12,8 +12,8 @@
 #include "render/frame_rate.hpp"
 #include "render/gl/renderer.hpp"
 #include "render/surface/surface.hpp"
-#include "sim/probes.hpp"
-#include "sim/settings.hpp"
+#include "sim/core/settings.hpp"
+#include "sim/run/probes.hpp"
 
 namespace spindrift::app {
 

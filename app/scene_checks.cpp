@@ -11,9 +11,9 @@
 #include "app/exchange_checks.hpp"
 #include "app/scene_fields.hpp"
 #include "app/shown_text.hpp"
+#include "sim/flow/nozzle.hpp"
 #include "sim/geometry/shape.hpp"
-#include "sim/initial.hpp"
-#include "sim/nozzle.hpp"
+#include "sim/start/initial.hpp"
 
 namespace spindrift::app {
 namespace {

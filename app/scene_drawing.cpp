@@ -2,7 +2,7 @@
 
 #include "app/camera.hpp"
 #include "render/surface/surface.hpp"
-#include "sim/fill.hpp"
+#include "sim/start/fill.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/obstacle_mesh.hpp"
 #include "app/scene.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace spindrift::app {
 

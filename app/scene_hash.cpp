@@ -2,8 +2,8 @@
 
 #include "app/scene.hpp"
 #include "app/scene_values.hpp"
-#include "sim/backend_choice.hpp"
 #include "sim/geometry/mesh/mesh_body.hpp"
+#include "sim/run/backend_choice.hpp"
 
 namespace spindrift::app {
 namespace {

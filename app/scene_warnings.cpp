@@ -9,12 +9,12 @@
 #include "app/scene_document.hpp"
 #include "app/scene_meshes.hpp"
 #include "app/shown_text.hpp"
-#include "sim/fill.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
+#include "sim/flow/nozzle.hpp"
 #include "sim/geometry/shape.hpp"
-#include "sim/initial.hpp"
-#include "sim/nozzle.hpp"
-#include "sim/obstacle_motion.hpp"
-#include "sim/standing_bodies.hpp"
+#include "sim/start/fill.hpp"
+#include "sim/start/initial.hpp"
+#include "sim/start/standing_bodies.hpp"
 
 namespace spindrift::app {
 namespace {

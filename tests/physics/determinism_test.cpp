@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "same_frames.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace determinism_tests {
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "hard_cases.hpp"
-#include "sim/initial.hpp"
+#include "sim/start/initial.hpp"
 
 namespace hard_cases_tests {
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <set>
 
-#include "sim/probes.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/probes.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace inflow_tests {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/contact.hpp"
-#include "sim/initial.hpp"
-#include "sim/obstacle_motion.hpp"
-#include "sim/simulation.hpp"
-#include "sim/time_step.hpp"
-#include "sim/walls.hpp"
+#include "sim/boundary/contact.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
+#include "sim/boundary/walls.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
+#include "sim/step/time_step.hpp"
 
 namespace spindrift::test {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mesh_support.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace mesh_tests {
 

@@ -6,7 +6,7 @@
 #include "hard_cases.hpp"
 #include "mesh_support.hpp"
 #include "same_frames.hpp"
-#include "sim/obstacle_motion.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
 
 namespace moving_tests {
 

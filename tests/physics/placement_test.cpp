@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sim/geometry/solid.hpp"
-#include "sim/initial.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
 
 namespace placement_tests {
 

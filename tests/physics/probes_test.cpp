@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/probes.hpp"
+#include "sim/run/probes.hpp"
 
 namespace probes_tests {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/initial.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
 
 namespace rest_tests {
 

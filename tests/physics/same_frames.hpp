@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace spindrift::test {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "hard_cases.hpp"
-#include "sim/obstacle_motion.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
 
 namespace sloshing_tests {
 

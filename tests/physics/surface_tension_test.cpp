@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "invariants.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace surface_tension_tests {
 

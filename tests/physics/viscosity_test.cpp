@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace viscosity_tests {
 

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "mesh_support.hpp"
-#include "sim/initial.hpp"
-#include "sim/obstacle_motion.hpp"
-#include "sim/simulation.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
 
 namespace walls_tests {
 

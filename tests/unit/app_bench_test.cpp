@@ -12,8 +12,8 @@
 #include "app/bench_runs.hpp"
 #include "app/bench_table.hpp"
 #include "app/process.hpp"
-#include "sim/initial.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
 
 namespace app_bench_tests {
 

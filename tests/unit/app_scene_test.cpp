@@ -14,8 +14,8 @@
 #include "app/scene_document.hpp"
 #include "app/scene_fields.hpp"
 #include "app/scene_warnings.hpp"
-#include "sim/initial.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
 
 namespace app_scene_tests {
 

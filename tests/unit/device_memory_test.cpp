@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/backend.hpp"
+#include "sim/backend/backend.hpp"
 
 namespace device_memory_tests {
 

@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "sim/device/device_engine.hpp"
-#include "sim/engine.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
 #include "sim/geometry/mesh/mesh_body.hpp"
-#include "sim/obstacle_motion.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/device_engine.hpp"
+#include "sim/run/engine.hpp"
+#include "sim/run/simulation.hpp"
 
 namespace device_step_tests {
 

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "sample_support.hpp"
-#include "sim/boundary.hpp"
-#include "sim/contact.hpp"
-#include "sim/domain_walls.hpp"
-#include "sim/fill.hpp"
+#include "sim/boundary/boundary.hpp"
+#include "sim/boundary/contact.hpp"
+#include "sim/boundary/domain_walls.hpp"
 #include "sim/geometry/shape.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/fill.hpp"
 
 namespace sim_boundary_tests {
 

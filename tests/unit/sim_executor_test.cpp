@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/particles.hpp"
+#include "sim/particles/particles.hpp"
 
 namespace sim_executor_tests {
 

@@ -3,13 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/boundary.hpp"
-#include "sim/fill.hpp"
+#include "sim/boundary/boundary.hpp"
+#include "sim/core/kernels.hpp"
 #include "sim/geometry/shape.hpp"
 #include "sim/geometry/solid.hpp"
-#include "sim/initial.hpp"
-#include "sim/kernels.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/fill.hpp"
+#include "sim/start/initial.hpp"
 
 namespace sim_fill_tests {
 

@@ -5,9 +5,9 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-#include "sim/diffusion.hpp"
-#include "sim/kernels.hpp"
-#include "sim/lattice.hpp"
+#include "sim/core/diffusion.hpp"
+#include "sim/core/kernels.hpp"
+#include "sim/core/lattice.hpp"
 
 namespace sim_kernels_tests {
 

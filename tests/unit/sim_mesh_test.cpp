@@ -8,9 +8,9 @@
 
 #include "mesh_support.hpp"
 #include "sample_support.hpp"
-#include "sim/contact.hpp"
-#include "sim/fill.hpp"
+#include "sim/boundary/contact.hpp"
 #include "sim/geometry/shape.hpp"
+#include "sim/start/fill.hpp"
 
 namespace sim_mesh_tests {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/contact.hpp"
-#include "sim/initial.hpp"
-#include "sim/moving_bodies.hpp"
-#include "sim/obstacle_motion.hpp"
+#include "sim/boundary/contact.hpp"
+#include "sim/boundary/moving_bodies.hpp"
+#include "sim/boundary/obstacle_motion.hpp"
+#include "sim/start/initial.hpp"
 
 namespace sim_motion_tests {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "sim/particles.hpp"
+#include "sim/particles/particles.hpp"
 
 namespace sim_neighbours_tests {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "sim/initial.hpp"
-#include "sim/probes.hpp"
+#include "sim/run/probes.hpp"
+#include "sim/start/initial.hpp"
 
 namespace sim_probes_tests {
 

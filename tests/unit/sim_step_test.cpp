@@ -9,11 +9,11 @@
 #include <thread>
 #include <vector>
 
-#include "sim/initial.hpp"
-#include "sim/kernels.hpp"
-#include "sim/lattice.hpp"
-#include "sim/simulation.hpp"
-#include "sim/time_step.hpp"
+#include "sim/core/kernels.hpp"
+#include "sim/core/lattice.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/start/initial.hpp"
+#include "sim/step/time_step.hpp"
 
 namespace sim_step_tests {
 

@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "sim/initial.hpp"
-#include "sim/neighbourhood.hpp"
-#include "sim/surface_tension.hpp"
+#include "sim/boundary/neighbourhood.hpp"
+#include "sim/forces/surface_tension.hpp"
+#include "sim/start/initial.hpp"
 
 namespace sim_tension_tests {
 

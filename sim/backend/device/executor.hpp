@@ -1,0 +1,158 @@
+// Runs the per-particle formulas on the device. Loops begin one after the other, and the processor
+// does not wait for them; it waits where a reduction brings a result.
+#pragma once
+
+#include <string_view>
+
+#include "sim/backend/device/algorithms.hpp"
+#include "sim/backend/device/arrays.hpp"
+#include "sim/backend/device/copy.hpp"
+#include "sim/backend/device/loops.hpp"
+#include "sim/core/phase_clock.hpp"
+#include "sim/core/reductions.hpp"
+#include "sim/core/stop.hpp"
+
+namespace spindrift::sim::inline device {
+
+/// A number or a few that loops make and look at, one after the other, and the processor now and
+/// then.
+template <class T>
+class Kept {
+ public:
+  /// How many loops that change it the processor should begin before it looks at it again.
+  static constexpr int look_every = 4;
+
+  using View = const T*;
+  /// As loops look at it: like a pointer.
+  View view() const { return value_.data(); }
+  /// As the processor does; waits.
+  T look() const { return fetched(value_.data()); }
+  T* place() { return value_.data(); }
+
+ private:
+  Array<T> value_ = Array<T>(1);
+};
+
+class Executor {
+ public:
+  using Index = std::uint32_t;
+
+  /// f(i) for i in [0, n). `name` is the phase in the profile, a string literal; a phase's time is
+  /// that until the processor goes on.
+  template <class F>
+  void for_each(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
+    const PhaseClock::Scope timed(clock_, name);
+    launch(n, f);
+  }
+
+  /// Like for_each, and joins what f returns, in an order that depends on n and the kind of device
+  /// only. T needs `void join(const T&)`.
+  template <class T, class F>
+  T reduce(std::string_view name, Index n, F f) {
+    throw_if_stopped(stop_);
+    const PhaseClock::Scope timed(clock_, name);
+    if (n == 0)
+      return {};
+    char* const room = scratch_.allocate(sizeof(T));
+    T* const result = reinterpret_cast<T*>(room);
+    join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { *result = total; });
+    scratch_.deallocate(room, sizeof(T));
+    return fetched(result);
+  }
+
+  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  template <class T, class State, class F, class Use>
+  void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
+    throw_if_stopped(stop_);
+    const PhaseClock::Scope timed(clock_, name);
+    State* const to = state.place();
+    join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { use(*to, total); });
+  }
+
+  /// The i in [0, n) for which f(i) holds, in order.
+  template <class F>
+  void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
+    throw_if_stopped(stop_);
+    const PhaseClock::Scope timed(clock_, name);
+    flags_.renew(n);
+    std::uint8_t* flags = flags_.data();
+    launch(n, [=] SPINDRIFT_HD(Index i) { flags[i] = f(i); });
+    chosen.renew(n);
+    chosen.renew(find_flagged(scratch_, flags, n, chosen.data()));
+  }
+
+  /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
+  template <class Place, class Value>
+  void add_at_places(std::string_view name, Index n, float* sums, Index place_count, Place place,
+                     Value value);
+
+  /// f(i) for i in [0, n), as it is now, for the processor to look at later.
+  template <class T, class F>
+  Copy<T> copy(std::string_view name, Index n, F f) {
+    const PhaseClock::Scope timed(clock_, name);
+    std::shared_ptr<CopyRoom> room = copies_.take(n * sizeof(T));
+    T* const to = static_cast<T*>(room->on_device());
+    launch(n, [=] SPINDRIFT_HD(Index i) { to[i] = f(i); });
+    room->send(n * sizeof(T));
+    return {std::move(room), n};
+  }
+
+  /// @throws std::runtime_error where the device has no room for so many particles
+  void check_room(std::size_t particles, float spacing) const {
+    device::check_room(particles, spacing, free_memory());
+  }
+
+  /// Until the processor may look at the particles.
+  void wait() const { device::wait(); }
+
+  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
+  /// finished.
+  void obey(Stop stop) { stop_ = stop; }
+
+  PhaseClock& clock() { return clock_; }
+  const PhaseClock& clock() const { return clock_; }
+  std::size_t memory_bytes() const {
+    return scratch_.memory_bytes() + copies_.memory_bytes() + flags_.capacity() +
+           4 * (places_.capacity() + other_places_.capacity() + terms_.capacity() +
+                other_terms_.capacity());
+  }
+
+ private:
+  PhaseClock clock_;
+  Stop stop_ = nullptr;
+  Scratch scratch_;
+  CopyRooms copies_;
+  Array<std::uint8_t> flags_;                                         ///< of select()
+  Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
+};
+
+/// Terms are sorted by their places, and the thread of each place's first term adds them up.
+template <class Place, class Value>
+void Executor::add_at_places(std::string_view name, Index n, float* sums, Index place_count,
+                             Place place, Value value) {
+  throw_if_stopped(stop_);
+  const PhaseClock::Scope timed(clock_, name);
+  if (n == 0)
+    return;
+  for (Array<std::uint32_t>* array : {&places_, &other_places_, &terms_, &other_terms_})
+    array->renew(n);
+  std::uint32_t *places = places_.data(), *other_places = other_places_.data(),
+                *terms = terms_.data(), *other_terms = other_terms_.data();
+  launch(n, [=] SPINDRIFT_HD(Index k) {
+    places[k] = place(k);
+    terms[k] = k;
+  });
+  sort_pairs(scratch_, n, bits_below(place_count), places, other_places, terms, other_terms);
+  launch(n, [=] SPINDRIFT_HD(Index k) {
+    const Index at = places[k];
+    if (k > 0 && places[k - 1] == at)
+      return;
+    float sum = sums[at];
+    for (Index t = k; t < n && places[t] == at; ++t)
+      sum += value(terms[t]);
+    sums[at] = sum;
+  });
+}
+
+}  // namespace spindrift::sim::inline device

@@ -1,0 +1,45 @@
+// Faces of the domain that have no wall.
+#pragma once
+
+#include <limits>
+
+#include "sim/core/real.hpp"
+#include "sim/core/settings.hpp"
+
+namespace spindrift::sim {
+
+struct OpenFaces {
+  static constexpr float never = std::numeric_limits<float>::infinity();
+  bool any = false;
+  Vec3<float> min{-never, -never, -never}, max{never, never, never};  ///< where they are, m
+
+  OpenFaces() = default;
+  explicit OpenFaces(const DomainSettings& domain) : any(!domain.open.empty()) {
+    float* const low[] = {&min.x, &min.y, &min.z};
+    float* const high[] = {&max.x, &max.y, &max.z};
+    for (const Direction face : domain.open) {
+      const int axis = static_cast<int>(face) / 2;
+      if (static_cast<int>(face) % 2 == 0)
+        *high[axis] = domain.max[axis];
+      else
+        *low[axis] = domain.min[axis];
+    }
+  }
+
+  /// Whether a point is inside a domain, or in front of one of them.
+  bool is_before(const Vec3<float>& p, const DomainSettings& domain) const {
+    const auto out = [](float v, float lo, float hi, float open_lo, float open_hi) {
+      return (v < lo && v >= open_lo) || (v > hi && v <= open_hi);
+    };
+    return !(out(p.x, domain.min.x, domain.max.x, min.x, max.x) ||
+             out(p.y, domain.min.y, domain.max.y, min.y, max.y) ||
+             out(p.z, domain.min.z, domain.max.z, min.z, max.z));
+  }
+
+  /// Whether a point is out of the domain through one of them, at least.
+  SPINDRIFT_HD bool is_beyond(const Vec3<float>& p) const {
+    return p.x < min.x || p.y < min.y || p.z < min.z || p.x > max.x || p.y > max.y || p.z > max.z;
+  }
+};
+
+}  // namespace spindrift::sim

@@ -1,0 +1,315 @@
+#include "sim/flow/inflow.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "sim/flow/nozzle_rim.hpp"
+#include "sim/step/measure.hpp"
+
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+namespace {
+
+/// A particle is not brought where another's centre is closer than this, in spacings. In the middle
+/// of eight on a lattice it is 0.866.
+constexpr float least_distance = 0.87f;
+
+/// Times closer than this are the same, s: that at which a step ends and that of an event.
+constexpr double instant = 1e-9;
+
+}  // namespace
+
+Inflow::Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id)
+    : settings_(settings), constants_(constants), first_id_(first_id) {
+  for (const Emitter& emitter : settings.fluid.emitters) {
+    nozzles_.emplace_back(emitter, settings.fluid.spacing);
+    put(points_.emplace_back(), nozzles_.back().points());
+  }
+  entered_.resize(nozzles_.size());
+}
+
+std::uint32_t Inflow::next_id(double time) const {
+  std::int64_t id = first_id_;
+  for (const Nozzle& nozzle : nozzles_)
+    id += nozzle.entered(time + instant) * nozzle.layer_size();
+  if (id > std::numeric_limits<std::uint32_t>::max())
+    throw std::runtime_error("more than 4,294,967,295 particles have come out of fluid.emitters");
+  return static_cast<std::uint32_t>(id);
+}
+
+/// Numbers are given in the order in which layers come in, and at one time in that of the emitters:
+/// they depend on nothing but the time.
+Inflow::Layer Inflow::layer(std::uint32_t nozzle, std::int64_t k) const {
+  const double time = nozzles_[nozzle].entry_time(k);
+  std::int64_t id = first_id_;
+  for (std::uint32_t n = 0; n < nozzles_.size(); ++n) {
+    const std::int64_t before = n < nozzle    ? nozzles_[n].entered(time)
+                                : n == nozzle ? k
+                                              : nozzles_[n].entered_before(time);
+    id += before * nozzles_[n].layer_size();
+  }
+  return {static_cast<std::uint32_t>(id), nozzle, k};
+}
+
+double Inflow::next_begin(double time, double end) const {
+  for (const Nozzle& nozzle : nozzles_)
+    if (nozzle.begin() > time + instant)
+      end = std::min(end, nozzle.begin());
+  return end;
+}
+
+float Inflow::speed_within(double begin, double end) const {
+  float speed = 0;
+  for (const Nozzle& nozzle : nozzles_)
+    speed = std::max(speed, nozzle.speed_within(begin, end));
+  return speed;
+}
+
+/// A sample in the liquid's way stands for nothing while the nozzle is open; its density ratio is
+/// then below 1 however close the liquid is, and no pressure comes up. One beside it must not take
+/// the liquid in the nozzle, which is behind the wall's face, for liquid that presses on it: it
+/// would push the jet on, by a third of its speed. Nor must it be too much for what comes by.
+void Inflow::attach(Walls& walls) {
+  constexpr float lowered = 3;
+  const float reach = constants_.support_radius;
+  const CubicKernel kernel(reach);
+  Boundary& boundary = walls.boundary();
+  openings_.resize(nozzles_.size());
+  for (std::size_t n = 0; n < nozzles_.size(); ++n) {
+    const Nozzle& nozzle = nozzles_[n];
+    const Box in = nozzle.bounds();
+    std::vector<WallSample> samples, beside;
+    std::vector<RimSample> rim;
+    for (std::uint32_t b = 0; b < boundary.count(); ++b) {
+      const glm::vec3 x = boundary.position(b);
+      if (glm::any(glm::lessThan(x, in.min - reach)) ||
+          glm::any(glm::greaterThan(x, in.max + reach)))
+        continue;
+      const float volume = boundary.volume(b), solid = boundary.solids()[b];
+      if (nozzle.is_in_the_way(x)) {
+        samples.push_back({b, volume, solid, 0, lowered});
+      } else if (const double sum = nozzle.kernel_sum(x, kernel); sum > 0) {
+        const float taken = constants_.volume * static_cast<float>(sum);
+        beside.push_back({b, volume, solid, 1, taken});
+        rim.push_back({x, volume});
+      }
+    }
+    const std::vector<float> parts = parts_beside(nozzle, rim, reach, constants_.volume);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      beside[k].part = parts[k];
+      samples.push_back(beside[k]);
+    }
+    put(openings_[n].samples, samples);
+  }
+}
+
+/// Nozzles beside each other may share samples: what these stand for depends on how far each is
+/// closed, and not on which was so first.
+void Inflow::open_walls(Executor& executor, Walls& walls, double time) {
+  bool changed = false;
+  for (std::size_t n = 0; n < nozzles_.size(); ++n) {
+    Opening& opening = openings_[n];
+    const double part = nozzles_[n].closed_part(time + instant);
+    if (opening.closed_part == part)
+      continue;
+    changed = true;
+    disturbs_ = disturbs_ || (part == 0 && !opening.samples.empty());
+    opening.closed_part = part;
+  }
+  if (!changed)
+    return;
+  const SampleSetter wall = walls.sample_setter();
+  for (const Opening& opening : openings_) {
+    const WallSample* samples = opening.samples.data();
+    executor.for_each("open walls", static_cast<std::uint32_t>(opening.samples.size()),
+                      [=] SPINDRIFT_HD(std::uint32_t k) {
+                        wall.set(samples[k].index, samples[k].volume, samples[k].solid);
+                      });
+  }
+  for (const Opening& opening : openings_) {
+    const auto closed = static_cast<float>(opening.closed_part);
+    const WallSample* samples = opening.samples.data();
+    executor.for_each("open walls", static_cast<std::uint32_t>(opening.samples.size()),
+                      [=] SPINDRIFT_HD(std::uint32_t k) {
+                        const WallSample& s = samples[k];
+                        wall.lessen(s.index, glm::mix(s.part, 1.f, closed), (1 - closed) * s.loss);
+                      });
+  }
+}
+
+void Inflow::resume(Executor& executor, Walls& walls, double time) {
+  for (std::size_t n = 0; n < nozzles_.size(); ++n)
+    entered_[n] = nozzles_[n].entered(time + instant);
+  note_held_layers(time);
+  open_walls(executor, walls, time);
+}
+
+void Inflow::note_held_layers(double time) {
+  held_layers_.clear();
+  for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
+    for (std::int64_t k = nozzles_[n].released(time); k < nozzles_[n].entered(time + instant); ++k)
+      held_layers_.push_back(layer(n, k));
+  std::sort(held_layers_.begin(), held_layers_.end(),
+            [](const Layer& a, const Layer& b) { return a.first_id < b.first_id; });
+  layers_at(time);
+}
+
+HeldLayersView Inflow::layers_at(double time) {
+  std::vector<HeldLayer> layers;
+  for (const Layer& l : held_layers_) {
+    const Nozzle& nozzle = nozzles_[l.nozzle];
+    layers.push_back({.first_id = l.first_id,
+                      .size = nozzle.layer_size(),
+                      .nozzle = l.nozzle,
+                      .points = points_[l.nozzle].data(),
+                      .direction = nozzle.direction(),
+                      .velocity = nozzle.velocity(),
+                      .way = nozzle.way(l.k, time),
+                      .fall = time - nozzle.release_time(l.k)});
+  }
+  put(layers_, layers);
+  return this->layers();
+}
+
+void Inflow::mark(Executor& executor, const Particles& particles) {
+  if (held_layers_.empty())
+    return;
+  const std::uint32_t n = particles.count;
+  float* held = held_.resized(n);
+  const HeldLayersView layers = this->layers();
+  const std::uint32_t* ids = particles.ids.data();
+  executor.for_each("carry inflow", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
+    held[i] = i < n && layers.of(ids[i]) != nullptr ? 1.f : 0.f;
+  });
+}
+
+void Inflow::carry(Executor& executor, Particles& particles, double time) {
+  if (held_layers_.empty())
+    return;
+  const PointView x = particles.drifted_position.view(), v = particles.drifted_velocity.view();
+  const HeldLayersView layers = layers_at(time);
+  const std::uint32_t* ids = particles.ids.data();
+  executor.for_each("carry inflow", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const HeldLayer* l = layers.of(ids[i]);
+    if (l == nullptr)
+      return;
+    x.set(i, from_glm(pushed(l->points[ids[i] - l->first_id], l->direction, l->way)));
+    v.set(i, from_glm(l->velocity));
+  });
+}
+
+void Inflow::allow(const StepContext& s, float* excess) const {
+  if (held_layers_.empty() || excess == nullptr)
+    return;
+  const CubicKernel kernel(s.constants.support_radius);
+  const PointView x = s.particles.drifted_position.view();
+  const float* held = held_.data();
+  const StepView step = s.view();
+  s.executor.for_each("carry inflow", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    if (held[i] > 0)
+      excess[i] = std::max(0.f, carried_density_ratio(i, step.constants, kernel, x, held,
+                                                      step.neighbours, step.boundary) -
+                                    1.f);
+  });
+}
+
+/// Free fall from the opening on, to this time and for the velocity to the middle of the last step.
+void Inflow::release(Executor& executor, Particles& particles, double time, double last_step,
+                     const Vec3<float>& acceleration) {
+  const bool any = std::any_of(held_layers_.begin(), held_layers_.end(), [&](const Layer& l) {
+    return nozzles_[l.nozzle].release_time(l.k) <= time;
+  });
+  if (!any)
+    return;
+  const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
+  const HeldLayersView layers = layers_at(time);
+  const std::uint32_t* ids = particles.ids.data();
+  const Vec3<float> a = acceleration;
+  executor.for_each("carry inflow", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const HeldLayer* l = layers.of(ids[i]);
+    if (l == nullptr || l->fall < 0)
+      return;
+    const double fall = l->fall;
+    x.set(i, x[i] + static_cast<float>(0.5 * fall * fall) * a);
+    v.set(i, v[i] + static_cast<float>(fall - 0.5 * last_step) * a);
+  });
+}
+
+std::vector<glm::vec3> Inflow::in_the_place_of(Executor& executor, Particles& particles,
+                                               std::uint32_t nozzle, const Box& place) {
+  const Vec3Arrays x = particles.position.view();
+  const HeldLayersView layers = this->layers();
+  const std::uint32_t* ids = particles.ids.data();
+  const auto is_there = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Vec3<float> p = x[i];
+    if (p.x < place.min.x || p.y < place.min.y || p.z < place.min.z || p.x > place.max.x ||
+        p.y > place.max.y || p.z > place.max.z)
+      return false;
+    const HeldLayer* own = layers.of(ids[i]);
+    return own == nullptr || own->nozzle != nozzle;
+  };
+  executor.select("bring inflow", particles.count, found_, is_there);
+  const auto count = static_cast<std::uint32_t>(found_.size());
+  grow(found_positions_, count);
+  Vec3<float>* positions = found_positions_.data();
+  const std::uint32_t* found = found_.data();
+  executor.for_each("bring inflow", count,
+                    [=] SPINDRIFT_HD(std::uint32_t k) { positions[k] = x[found[k]]; });
+  executor.wait();
+  std::vector<glm::vec3> there;
+  for (const Vec3<float>& p : found_positions_)
+    there.emplace_back(p.x, p.y, p.z);
+  return there;
+}
+
+Exchange Inflow::bring(Executor& executor, Particles& particles, const Layer& layer, double time) {
+  const Nozzle& nozzle = nozzles_[layer.nozzle];
+  std::vector<glm::vec3> places;
+  for (std::uint32_t p = 0; p < nozzle.layer_size(); ++p)
+    places.push_back(nozzle.position(layer.k, p, time));
+  const float distance = least_distance * constants_.spacing, reach = constants_.support_radius;
+  Box around{places[0], places[0]};
+  for (const glm::vec3& p : places) {
+    around.min = glm::min(around.min, p - reach);
+    around.max = glm::max(around.max, p + reach);
+  }
+  const std::vector<glm::vec3> others = in_the_place_of(executor, particles, layer.nozzle, around);
+  disturbs_ = disturbs_ || !others.empty();
+  std::vector<glm::vec3> positions;
+  std::vector<std::uint32_t> ids;
+  Exchange exchange;
+  for (std::uint32_t p = 0; p < nozzle.layer_size(); ++p) {
+    const bool taken = std::any_of(others.begin(), others.end(), [&](const glm::vec3& other) {
+      return glm::distance(other, places[p]) < distance;
+    });
+    if (taken)
+      continue;
+    positions.push_back(places[p]);
+    ids.push_back(layer.first_id + p);
+    exchange.energy_in += energy_of(constants_, settings_, places[p], nozzle.velocity());
+  }
+  exchange.entered = static_cast<std::int64_t>(positions.size());
+  exchange.held_back = nozzle.layer_size() - exchange.entered;
+  exchange_.append(executor, particles, positions, nozzle.velocity(), ids);
+  return exchange;
+}
+
+Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls, double time,
+                         double last_step, const Vec3<float>& acceleration) {
+  disturbs_ = false;
+  release(executor, particles, time, last_step, acceleration);
+  note_held_layers(time);
+  next_id(time);  // there are enough
+  std::vector<Layer> entering;
+  for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
+    for (const std::int64_t end = nozzles_[n].entered(time + instant); entered_[n] < end;
+         ++entered_[n])
+      entering.push_back(layer(n, entered_[n]));
+  Exchange exchange;
+  for (const Layer& l : entering)
+    exchange += bring(executor, particles, l, time);
+  open_walls(executor, walls, time);
+  return exchange;
+}
+
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

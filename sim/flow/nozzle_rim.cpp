@@ -1,0 +1,114 @@
+#include "sim/flow/nozzle_rim.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/core/kernels.hpp"
+
+namespace spindrift::sim {
+namespace {
+
+/// Compression that walls may add to liquid on its way. Were it nothing, samples almost a support
+/// radius away would have to go, on which liquid before the wall counts.
+constexpr double accepted = 0.01;
+
+/// Passes over all places, in each of which samples lose what they have too much.
+constexpr int most_passes = 100;
+
+/// A sample that counts at a place.
+struct Share {
+  std::uint32_t sample;
+  double value;  ///< V W, all of it
+};
+
+/// Where a particle comes by, and what walls may count there.
+struct Place {
+  double room = 0;
+  std::vector<Share> shares;
+
+  double sum(const std::vector<double>& parts) const {
+    double sum = 0;
+    for (const Share& share : shares)
+      sum += parts[share.sample] * share.value;
+    return sum;
+  }
+};
+
+/// Density ratio in the middle of a jet without an end, at one of its columns.
+double ratio_in_jet(const Nozzle& nozzle, const glm::vec3& column, float support_radius,
+                    double particle_volume) {
+  const CubicKernel kernel(support_radius);
+  const double distance = nozzle.layer_distance(), reach = support_radius;
+  const int layers = static_cast<int>(std::ceil(reach / distance));
+  double sum = 0;
+  for (const glm::vec3& other : nozzle.points()) {
+    const double across = glm::distance(column, other);
+    for (int k = -layers; across < reach && k <= layers; ++k)
+      sum += kernel.value(static_cast<float>(std::hypot(across, k * distance)));
+  }
+  return particle_volume * sum;
+}
+
+/// The places of one column, a quarter of a layer apart, at which any sample counts.
+void add_places(const Nozzle& nozzle, const glm::vec3& column,
+                const std::vector<RimSample>& samples, float support_radius, double particle_volume,
+                std::vector<Place>& places) {
+  constexpr int per_layer = 4, behind = Nozzle::depth * per_layer, beyond = 2 * per_layer;
+  const CubicKernel kernel(support_radius);
+  const float step = nozzle.layer_distance() / per_layer;
+  std::vector<Place> own(behind + beyond + 1);
+  for (std::uint32_t b = 0; b < samples.size(); ++b) {
+    const glm::vec3 off = samples[b].position - column;
+    const float along = glm::dot(off, nozzle.direction());
+    if (glm::length(off - along * nozzle.direction()) >= support_radius)
+      continue;
+    for (int k = -behind; k <= beyond; ++k) {
+      const glm::vec3 at = static_cast<float>(k) * step * nozzle.direction();
+      if (const double w = kernel.value(glm::distance(off, at)); w > 0)
+        own[static_cast<std::size_t>(behind + k)].shares.push_back({b, w * samples[b].volume});
+    }
+  }
+  std::erase_if(own, [](const Place& place) { return place.shares.empty(); });
+  if (own.empty())
+    return;
+  const double room =
+      accepted + std::max(0., 1 - ratio_in_jet(nozzle, column, support_radius, particle_volume));
+  for (Place& place : own) {
+    place.room = room;
+    places.push_back(std::move(place));
+  }
+}
+
+}  // namespace
+
+std::vector<float> parts_beside(const Nozzle& nozzle, const std::vector<RimSample>& samples,
+                                float support_radius, float particle_volume) {
+  std::vector<Place> places;
+  for (const glm::vec3& column : nozzle.points())
+    add_places(nozzle, column, samples, support_radius, particle_volume, places);
+  std::vector<double> parts(samples.size(), 1.), lost(samples.size()), weight(samples.size());
+  for (int pass = 0; pass < most_passes; ++pass) {
+    std::fill(lost.begin(), lost.end(), 0.);
+    std::fill(weight.begin(), weight.end(), 0.);
+    bool fits = true;
+    for (const Place& place : places) {
+      const double sum = place.sum(parts);
+      if (sum <= 1.0001 * place.room)
+        continue;
+      fits = false;
+      for (const Share& share : place.shares) {
+        lost[share.sample] += share.value * (1 - place.room / sum);
+        weight[share.sample] += share.value;
+      }
+    }
+    if (fits)
+      break;
+    for (std::size_t b = 0; b < parts.size(); ++b)
+      if (weight[b] > 0)
+        parts[b] *= 1 - lost[b] / weight[b];
+  }
+  return {parts.begin(), parts.end()};
+}
+
+}  // namespace spindrift::sim

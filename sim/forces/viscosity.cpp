@@ -1,0 +1,131 @@
+#include "sim/forces/viscosity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/lattice.hpp"
+#include "sim/step/velocity_change.hpp"
+
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+namespace {
+
+/// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
+/// to twice that rate, and a step must stay below 2 / (2 rate). Half of it is taken.
+double stable_step(const FluidConstants& c, float wall_viscosity, const DiffusionKernel& kernel) {
+  double sum = 0;
+  for_lattice_points(c.spacing, c.support_radius, [&](const Vec3<float>& p) {
+    if (dot(p, p) > 0)
+      sum += kernel.weight(dot(p, p));
+  });
+  const double rate = std::max(c.viscosity, 2 * wall_viscosity) / c.rest_density * sum;
+  return rate > 0 ? 0.5 / rate : INFINITY;
+}
+
+/// Acceleration by viscosity, m/s². What a nozzle moves is not slowed by its neighbours.
+SPINDRIFT_HD Vec3<float> free_acceleration(std::uint32_t i, const StepView& step,
+                                           const DiffusionKernel& kernel,
+                                           const PointView& velocity) {
+  return step.is_held(i) ? Vec3<float>{0, 0, 0}
+                         : viscous_acceleration(i, step.constants, kernel, step.drifted, velocity,
+                                                step.neighbours, step.boundary);
+}
+
+}  // namespace
+
+Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
+    : support_radius_(constants.support_radius),
+      kernel_(constants.spacing, constants.support_radius),
+      explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
+
+bool Viscosity::apply(const StepContext& s) {
+  if (s.time_step <= explicit_limit_)
+    explicit_step(s);
+  else
+    implicit_step(s);
+  return change_velocities(s, "apply viscosity");
+}
+
+/// Leaves the change of velocity in `acceleration`.
+void Viscosity::explicit_step(const StepContext& s) {
+  Particles& p = s.particles;
+  const PointView v = p.drifted_velocity.view();
+  const Vec3Arrays dv = p.acceleration.view();
+  const StepView step = s.view();
+  const DiffusionKernel kernel = kernel_;
+  const float dt = s.time_step;
+  s.executor.for_each("viscosity", 1, [=] SPINDRIFT_HD(std::uint32_t) {
+    v.set(step.count, {0, 0, 0});
+  });
+  s.executor.for_each("viscosity", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    dv.set(i, dt * free_acceleration(i, step, kernel, v));
+  });
+}
+
+/// Backward Euler: (1 − Δt ν∇²) v = v*, solved by conjugate gradients for the change v − v*, whose
+/// right side is Δt ν∇² v* (as Weiler et al. 2018 do). Loops that are begun after the end do
+/// nothing.
+void Viscosity::implicit_step(const StepContext& s) {
+  constexpr int most_iterations = 200;
+  constexpr double squared_tolerance = 1e-6;
+  constexpr std::string_view phase = "viscosity";
+  Particles& p = s.particles;
+  const std::uint32_t n = p.count;
+  residual_.resize(n);
+  image_.resize(n);
+  const Vec3Arrays dv = p.acceleration.view(), r = residual_.view(), image = image_.view();
+  const PointView direction = p.corrected_position.view();
+  explicit_step(s);
+  StepView step = s.view();
+  step.boundary.velocity = {};  // a change of velocity does not meet the walls' own
+  const DiffusionKernel kernel = kernel_;
+  const float dt = s.time_step;
+  const auto begin = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Vec3<float> right = dv[i];
+    r.set(i, right);
+    direction.set(i, right);
+    dv.set(i, {0, 0, 0});
+    return Sum{double{dot(right, right)}};
+  };
+  const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+    it = ConjugateGradients::to(squared_tolerance, squared.value);
+  };
+  s.executor.reduce_to<Sum>(phase, n, iteration_, begin, set_goal);
+  s.executor.for_each(phase, 1, [=] SPINDRIFT_HD(std::uint32_t) { direction.set(n, {0, 0, 0}); });
+  for (int k = 0; k < most_iterations; ++k) {
+    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration_.look().goes_on)
+      return;
+    const auto last = iteration_.view();
+    const auto apply = [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (!last->goes_on)
+        return Sum{};
+      const Vec3<float> d = direction[i];
+      const Vec3<float> a = d - dt * free_acceleration(i, step, kernel, direction);
+      image.set(i, a);
+      return Sum{double{dot(a, d)}};
+    };
+    const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
+      it.find_step(curvature.value);
+    };
+    s.executor.reduce_to<Sum>(phase, n, iteration_, apply, find_step);
+    const auto found = iteration_.view();
+    const auto go = [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (!found->goes_on)
+        return Sum{};
+      dv.set(i, dv[i] + found->step * direction[i]);
+      const Vec3<float> left = r[i] - found->step * image[i];
+      r.set(i, left);
+      return Sum{double{dot(left, left)}};
+    };
+    const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+      it.find_beta(squared.value);
+    };
+    s.executor.reduce_to<Sum>(phase, n, iteration_, go, find_beta);
+    const auto next = iteration_.view();
+    s.executor.for_each(phase, n, [=] SPINDRIFT_HD(std::uint32_t i) {
+      if (next->goes_on)
+        direction.set(i, r[i] + next->beta * direction[i]);
+    });
+  }
+}
+
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -1,0 +1,143 @@
+// Anderson acceleration of a fixed-point iteration (Anderson 1965; Walker & Ni 2011, "Anderson
+// acceleration for fixed-point iterations", eq. 1.3), with the last two steps as its memory.
+//
+// From the iterates pₖ and their residuals rₖ it takes the combination of the last three that makes
+// the residual smallest,
+//   p̄ = pₖ − θ₁ (pₖ − pₖ₋₁) − θ₂ (pₖ₋₁ − pₖ₋₂),   r̄ the same of r,   θ = argmin |r̄|²,
+// and the next step starts from there.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "sim/backend/backend.hpp"
+#include "sim/particles/particles.hpp"
+
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+
+/// An unknown, and how wrong it is.
+struct AndersonPoint {
+  float iterate, residual;
+};
+
+/// What of the two steps before goes into the best combination with the present one. It stays where
+/// the loops are, which look at it.
+struct AndersonWeights {
+  int known = 0;               ///< earlier steps in memory
+  int used = 0;                ///< of them in the combination
+  float last = 0, before = 0;  ///< θ₁ and θ₂
+  double squared = 0;          ///< |rₖ|²
+
+  /// Sums over all unknowns of the products of the residual r, how it has changed since the last
+  /// step, l, and how it had changed then, b.
+  struct Products {
+    double rr = 0, lr = 0, ll = 0, br = 0, bl = 0, bb = 0;
+    SPINDRIFT_HD static Products of(double r, double l, double b) {
+      return {r * r, l * r, l * l, b * r, b * l, b * b};
+    }
+    SPINDRIFT_HD void join(const Products& o) {
+      rr += o.rr;
+      lr += o.lr;
+      ll += o.ll;
+      br += o.br;
+      bl += o.bl;
+      bb += o.bb;
+    }
+  };
+
+  SPINDRIFT_HD void find(const Products& s) {
+    // A residual that grew has left the region where the steps told anything: start anew from here.
+    constexpr double growth = 1.5;
+    if (known > 0 && s.rr > growth * growth * squared)
+      known = 0;
+    squared = s.rr;
+    used = known;
+    known = std::min(known + 1, 2);
+    last = before = 0;
+    const double determinant = s.ll * s.bb - s.bl * s.bl;
+    if (used == 2 && determinant > 1e-6 * s.ll * s.bb) {
+      last = bounded((s.lr * s.bb - s.bl * s.br) / determinant);
+      before = bounded((s.ll * s.br - s.bl * s.lr) / determinant);
+    } else if (used >= 1 && s.ll > 0) {
+      last = bounded(s.lr / s.ll);
+    }
+  }
+
+ private:
+  SPINDRIFT_HD static float bounded(double w) {
+    return static_cast<float>(std::clamp(w, -10., 10.));
+  }
+};
+
+/// The two steps before, to be combined with the present one.
+struct AndersonView {
+  const AndersonPoint* last;
+  AndersonPoint* before;
+  Kept<AndersonWeights>::View weights;
+
+  /// The best combination for unknown i, of which `now` is the present step.
+  SPINDRIFT_HD AndersonPoint mixed(std::uint32_t i, const AndersonPoint& now) const {
+    return {mixed(i, now, &AndersonPoint::iterate), mixed(i, now, &AndersonPoint::residual)};
+  }
+
+  /// Remembers the present step in place of the one before the last. Once for each unknown, after
+  /// it is mixed.
+  SPINDRIFT_HD void keep(std::uint32_t i, const AndersonPoint& now) const { before[i] = now; }
+
+ private:
+  SPINDRIFT_HD float mixed(std::uint32_t i, const AndersonPoint& now,
+                           float AndersonPoint::*part) const {
+    float value = now.*part;
+    if (weights->used >= 1)
+      value -= weights->last * (now.*part - last[i].*part);
+    if (weights->used >= 2)
+      value -= weights->before * (last[i].*part - before[i].*part);
+    return value;
+  }
+};
+
+class AndersonAcceleration {
+ public:
+  /// Forgets all steps.
+  void start() { knows_any_ = false; }
+
+  /// Finds the best combination of the present step, now(i) for i in [0, count), with those before.
+  template <class F>
+  AndersonView combine(Executor& executor, std::uint32_t count, F now) {
+    for (Array<AndersonPoint>* step : {&last_, &before_})
+      resize_with_room(*step, count);
+    const AndersonPoint *last_step = last_.data(), *step_before = before_.data();
+    const bool knows_any = knows_any_;
+    const auto so_far = weights_.view();
+    const auto products = [=] SPINDRIFT_HD(std::uint32_t i) {
+      const int known = knows_any ? so_far->known : 0;
+      const float r = now(i).residual, r1 = last_step[i].residual;
+      const float last = known >= 1 ? r - r1 : 0.f;
+      const float before = known >= 2 ? r1 - step_before[i].residual : 0.f;
+      return AndersonWeights::Products::of(r, last, before);
+    };
+    const auto find = [=] SPINDRIFT_HD(AndersonWeights & weights,
+                                       const AndersonWeights::Products& sums) {
+      if (!knows_any)
+        weights = {};
+      weights.find(sums);
+    };
+    executor.reduce_to<AndersonWeights::Products>("accelerate", count, weights_, products, find);
+    knows_any_ = true;
+    return {last_.data(), before_.data(), weights_.view()};
+  }
+
+  /// After every unknown was kept.
+  void advance() { last_.swap(before_); }
+
+  std::size_t memory_bytes() const {
+    return (last_.capacity() + before_.capacity()) * sizeof(AndersonPoint);
+  }
+
+ private:
+  Array<AndersonPoint> last_, before_;
+  Kept<AndersonWeights> weights_;
+  bool knows_any_ = false;  ///< earlier steps
+};
+
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

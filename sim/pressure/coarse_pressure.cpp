@@ -1,0 +1,231 @@
+#include "sim/pressure/coarse_pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/lattice.hpp"
+
+namespace spindrift::sim::inline SPINDRIFT_BACKEND {
+namespace {
+
+/// A particle is spray or surface, and keeps no pressure, if its density is further below the rest
+/// density than its pressure can hold it up, by this ratio.
+constexpr float slack = 0.03f;
+
+/// What a disordered neighbourhood lacks of the lattice's conductance is no surface. Counted as
+/// one, it would let pressure leak away within some twenty spacings, and a tall column fall.
+constexpr float disorder = 0.03f;
+
+constexpr int slots = CellNeighbourView::slots, self = CellNeighbourView::self;
+
+/// What conductances are found from.
+struct Pairs {
+  ConductanceKernel kernel;
+  CellGridView grid;
+  PointView position;
+  const float* active;
+  NeighbourView wall_neighbours;
+  PointView walls;
+
+  /// Σ w over all pairs of active particles, one of cell a and one of cell b, 1/m².
+  SPINDRIFT_HD float between(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t begin = grid.cell_begin(a), end = grid.cell_begin(a + 1);
+    RunSum total;
+    total.add(grid.cell_begin(b), grid.cell_begin(b + 1), [&](auto j) {
+      const auto xj = position[j];
+      auto sum = 0.f * xj.x;
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const auto d = position[i] - xj;
+        sum += active[i] * kernel.weight(dot(d, d));
+      }
+      return load(active, j) * sum;
+    });
+    return total.value();
+  }
+
+  /// Σ V_b w over the pairs of active particles of a cell and samples of walls, m.
+  SPINDRIFT_HD float to_walls(std::uint32_t cell) const {
+    float sum = 0;
+    for (std::uint32_t i = grid.cell_begin(cell); i < grid.cell_begin(cell + 1); ++i) {
+      const Vec3<float> xi = position[i];
+      sum += active[i] * wall_neighbours.sum(i, [&](auto b) {
+        const auto [xb, volume] = walls.point(b);
+        const auto d = xi - xb;
+        return volume * kernel.weight(dot(d, d));
+      });
+    }
+    return sum;
+  }
+};
+
+}  // namespace
+
+CoarsePressure::CoarsePressure(const FluidConstants& constants)
+    : kernel_(constants.spacing, constants.support_radius) {
+  double all = 0, squared_x = 0, abs_x = 0;
+  for_lattice_points(constants.spacing, constants.support_radius, [&](const Vec3<float>& p) {
+    const double w = kernel_.weight(dot(p, p));
+    all += w;
+    squared_x += w * p.x * p.x;
+    abs_x += w * std::abs(p.x);
+  });
+  lattice_conductance_ = static_cast<float>(all);
+  // Pressure that falls linearly drops, across a plane, by the distance of a pair of particles; by
+  // a whole cell where it is flat in cells. The pairs that cross a plane are as many as they are
+  // long.
+  aggregate_factor_ = static_cast<float>(abs_x / squared_x);  // times the cell size, below
+}
+
+void CoarsePressure::build(const StepContext& s, float delta) {
+  count_ = s.grid.cell_count;
+  neighbours_.build(*s.map, s.grid);
+  for (ScalarField* field : {&inverse_diagonal_, &pressure_, &residual_, &direction_, &image_})
+    field->resize(count_);
+  grow(nearest_, s.boundary.wet_count);
+  grow(wet_cell_, s.boundary.wet_count);
+  view_ = {.map = *s.map,
+           .grid = s.grid,
+           .neighbours = neighbours_.view(),
+           .position = s.particles.drifted_position.view(),
+           .pressure = pressure_.data(),
+           .nearest = nearest_.data(),
+           .wet_cell = wet_cell_.data()};
+  find_active(s, delta);
+  find_conductances(s);
+  attach_walls(s);
+}
+
+void CoarsePressure::find_active(const StepContext& s, float delta) {
+  const PointView at = s.particles.drifted_position.view();
+  const float* ratio = s.particles.density_ratio.data();
+  float* active = active_.resized(s.particles.count);
+  s.executor.for_each("coarse grid", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    active[i] = at.value(i) / delta + ratio[i] > 1 - slack ? 1.f : 0.f;
+  });
+}
+
+/// Each cell is linked with those that come after it in key order, both ways.
+void CoarsePressure::find_conductances(const StepContext& s) {
+  const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
+  grow(conductance_, CellNeighbourView::place(batches * lane_count, 0));
+  float *conductance = conductance_.data(), *inverse_diagonal = inverse_diagonal_.data();
+  const CellNeighbourView neighbours = neighbours_.view();
+  const Pairs pairs{kernel_,
+                    s.grid,
+                    s.particles.drifted_position.view(),
+                    active_.data(),
+                    s.boundary.neighbours,
+                    s.boundary.position};
+  s.executor.for_each("coarse grid", batches * lane_count, [=] SPINDRIFT_HD(std::uint32_t c) {
+    for (int t = 0; t < slots; ++t)
+      conductance[CellNeighbourView::place(c, t)] = 0;
+  });
+  s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    for (int t = self + 1; t < slots; ++t) {
+      const std::int32_t at = neighbours.at(c, t);
+      if (at < 0)
+        continue;
+      const auto other = static_cast<std::uint32_t>(at);
+      conductance[CellNeighbourView::place(c, t)] =
+          conductance[CellNeighbourView::place(other, slots - 1 - t)] = pairs.between(c, other);
+    }
+  });
+  const float of_lattice = lattice_conductance_, volume = s.constants.volume;
+  s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+    float around = 0;
+    for (int t = 0; t < slots; ++t)
+      around += conductance[CellNeighbourView::place(c, t)];
+    float particles = 0;
+    for (std::uint32_t i = pairs.grid.cell_begin(c); i < pairs.grid.cell_begin(c + 1); ++i)
+      particles += pairs.active[i];
+    const float inside = pairs.between(c, c);
+    const float full = of_lattice * particles;
+    const float lacking = full - inside - around - pairs.to_walls(c) / volume;
+    // The last part keeps a body of liquid without any surface solvable.
+    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
+    conductance[CellNeighbourView::place(c, self)] = diagonal;
+    inverse_diagonal[c] = diagonal > 0 ? 1 / diagonal : 0.f;
+  });
+}
+
+/// A boundary sample has the pressure of the particle nearest to it, and adds its residual there.
+void CoarsePressure::attach_walls(const StepContext& s) {
+  const BoundaryView solid = s.boundary;
+  const PointView x = s.particles.drifted_position.view();
+  const CellGridView grid = s.grid;
+  const GridMap map = *s.map;
+  std::uint32_t *nearest = nearest_.data(), *wet_cell = wet_cell_.data();
+  s.executor.for_each("coarse grid", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+    const std::uint32_t b = solid.wet[k];
+    const Vec3<float> xb = solid.position[b];
+    float best = INFINITY;
+    std::uint32_t found = 0;
+    solid.fluid.for_each(b, [&](std::uint32_t j) {
+      const Vec3<float> d = xb - x[j];
+      if (dot(d, d) < best) {
+        best = dot(d, d);
+        found = j;
+      }
+    });
+    nearest[k] = found;
+    wet_cell[k] = grid.first_cell_from(map.key(x[found]));
+  });
+}
+
+/// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth. What
+/// decides when it ends stays where the loops are; those that are begun after that do nothing.
+void CoarsePressure::conjugate_gradients(Executor& executor) {
+  constexpr int most_iterations = 200;
+  constexpr double squared_tolerance = 1e-4;
+  constexpr std::string_view phase = "coarse pressure";
+  float *p = pressure_.data(), *r = residual_.data(), *d = direction_.data(),
+        *image = image_.data();
+  const float *inverse = inverse_diagonal_.data(), *weights = conductance_.data();
+  const CellNeighbourView neighbours = neighbours_.view();
+  const auto begin = [=] SPINDRIFT_HD(std::uint32_t c) {
+    p[c] = d[c] = 0;
+    return Sum{double{r[c]} * r[c] * inverse[c]};
+  };
+  const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+    it = ConjugateGradients::to(squared_tolerance, squared.value);
+  };
+  executor.reduce_to<Sum>(phase, count_, iteration_, begin, set_goal);
+  for (int k = 0; k < most_iterations; ++k) {
+    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration_.look().goes_on)
+      return;
+    const auto last = iteration_.view();
+    executor.for_each(phase, count_, [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (last->goes_on)
+        d[c] = r[c] * inverse[c] + last->beta * d[c];
+    });
+    const auto apply = [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (!last->goes_on)
+        return Sum{};
+      neighbours.apply(c, weights, d, image);
+      return Sum{double{image[c]} * d[c]};
+    };
+    const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
+      it.find_step(curvature.value);
+    };
+    executor.reduce_to<Sum>(phase, count_, iteration_, apply, find_step);
+    const auto now = iteration_.view();
+    const auto go = [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (!now->goes_on)
+        return Sum{};
+      p[c] += now->step * d[c];
+      r[c] -= now->step * image[c];
+      return Sum{double{r[c]} * r[c] * inverse[c]};
+    };
+    const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+      it.find_beta(squared.value);
+    };
+    executor.reduce_to<Sum>(phase, count_, iteration_, go, find_beta);
+  }
+}
+
+std::size_t CoarsePressure::memory_bytes() const {
+  return active_.memory_bytes() + neighbours_.memory_bytes() + conductance_.capacity() * 4 +
+         5 * pressure_.memory_bytes() + (nearest_.capacity() + wet_cell_.capacity()) * 4;
+}
+
+}  // namespace spindrift::sim::inline SPINDRIFT_BACKEND
