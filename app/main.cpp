@@ -5,9 +5,9 @@
 #include <climits>
 #include <cstdlib>
 
-#include "app/command_line.hpp"
-#include "app/errors.hpp"
-#include "app/standard_streams.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/errors/errors.hpp"
+#include "app/system/standard_streams.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Lists of golden tests, whose scene "s.json" is a small one.
-#include "app/golden_list.hpp"
+#include "app/golden/golden_list.hpp"
 #include "tests/fuzz/support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

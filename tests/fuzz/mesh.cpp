@@ -1,5 +1,5 @@
 // Mesh files, OBJ and PLY, from their bytes to the closed surface of a solid.
-#include "app/mesh_readers.hpp"
+#include "app/mesh_files/mesh_readers.hpp"
 #include "sim/geometry/mesh/closed_surface.hpp"
 #include "tests/fuzz/support.hpp"
 

@@ -1,5 +1,5 @@
 // Scene files: what is accepted is written, and read again as the same scene.
-#include "app/scene.hpp"
+#include "app/scene/scene.hpp"
 #include "tests/fuzz/support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,6 @@
 // Sweep files, whose scene is a small one.
-#include "app/scene.hpp"
-#include "app/sweep_file.hpp"
+#include "app/scene/scene.hpp"
+#include "app/sweep/sweep_file.hpp"
 #include "tests/fuzz/support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -8,10 +8,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include "app/comparison.hpp"
-#include "app/golden_list.hpp"
-#include "app/particle_source.hpp"
-#include "app/scene_drawing.hpp"
+#include "app/compare/comparison.hpp"
+#include "app/draw/scene_drawing.hpp"
+#include "app/golden/golden_list.hpp"
+#include "app/run/particle_source.hpp"
 #include "render/output/output.hpp"
 
 namespace fs = std::filesystem;

@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
-#include "app/comparison.hpp"
-#include "app/golden_list.hpp"
+#include "app/compare/comparison.hpp"
+#include "app/golden/golden_list.hpp"
 #include "gl_support.hpp"
 
 namespace fs = std::filesystem;

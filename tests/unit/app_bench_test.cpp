@@ -7,11 +7,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/bench_measure.hpp"
-#include "app/bench_report.hpp"
-#include "app/bench_runs.hpp"
-#include "app/bench_table.hpp"
-#include "app/process.hpp"
+#include "app/bench/bench_measure.hpp"
+#include "app/bench/bench_report.hpp"
+#include "app/bench/bench_runs.hpp"
+#include "app/bench/bench_table.hpp"
+#include "app/system/process.hpp"
 #include "sim/run/simulation.hpp"
 #include "sim/start/initial.hpp"
 
@@ -22,7 +22,7 @@ using namespace spindrift::app;
 
 namespace {
 
-const std::filesystem::path bench_scenes = std::filesystem::path(SOURCE_DIR) / "bench/scenes";
+const std::filesystem::path bench_scenes = std::filesystem::path(SOURCE_DIR) / "scenes/bench";
 
 struct Bounds {
   std::size_t count = 0;

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <vector>
 
-#include "app/camera.hpp"
-#include "app/estimate.hpp"
-#include "app/obstacle_mesh.hpp"
+#include "app/checks/estimate.hpp"
+#include "app/draw/obstacle_mesh.hpp"
+#include "app/scene/camera.hpp"
 #include "sim/geometry/shape.hpp"
 
 namespace app_camera_tests {

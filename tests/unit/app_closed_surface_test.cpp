@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/mesh_readers.hpp"
+#include "app/mesh_files/mesh_readers.hpp"
 #include "mesh_support.hpp"
 #include "render/output/input_file.hpp"
 #include "sim/geometry/mesh/closed_surface.hpp"

@@ -3,8 +3,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
-#include "app/comparison.hpp"
+#include "app/commands/commands.hpp"
+#include "app/compare/comparison.hpp"
 #include "output_support.hpp"
 #include "png_support.hpp"
 #include "render/output/atomic_file.hpp"

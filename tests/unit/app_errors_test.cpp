@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/nearest_name.hpp"
-#include "app/scene.hpp"
-#include "app/shown_text.hpp"
+#include "app/errors/nearest_name.hpp"
+#include "app/errors/shown_text.hpp"
+#include "app/scene/scene.hpp"
 
 namespace app_errors_tests {
 

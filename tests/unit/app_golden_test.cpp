@@ -1,7 +1,7 @@
 // What the author of a list of golden tests is told when something is wrong with it.
 #include <catch2/catch.hpp>
 
-#include "app/golden_list.hpp"
+#include "app/golden/golden_list.hpp"
 #include "output_support.hpp"
 
 namespace app_golden_tests {

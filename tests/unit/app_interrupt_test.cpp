@@ -4,8 +4,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "app/interrupt.hpp"
-#include "app/machine_limits.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/machine_limits.hpp"
 
 namespace app_interrupt_tests {
 

@@ -10,11 +10,11 @@
 #include <fstream>
 #include <thread>
 
-#include "app/folder_lock.hpp"
-#include "app/heartbeat.hpp"
-#include "app/particle_cache.hpp"
-#include "app/progress.hpp"
-#include "app/simulation_record.hpp"
+#include "app/files/folder_lock.hpp"
+#include "app/kept/particle_cache.hpp"
+#include "app/kept/simulation_record.hpp"
+#include "app/run/progress.hpp"
+#include "app/system/heartbeat.hpp"
 #include "output_support.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/input_file.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/mesh_file.hpp"
-#include "app/mesh_readers.hpp"
+#include "app/mesh_files/mesh_file.hpp"
+#include "app/mesh_files/mesh_readers.hpp"
 #include "mesh_support.hpp"
 #include "output_support.hpp"
 #include "sim/geometry/mesh/closed_surface.hpp"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "app/estimate.hpp"
-#include "app/mesh_file.hpp"
-#include "app/obstacle_mesh.hpp"
-#include "app/scene.hpp"
-#include "app/scene_meshes.hpp"
+#include "app/checks/estimate.hpp"
+#include "app/checks/scene_meshes.hpp"
+#include "app/draw/obstacle_mesh.hpp"
+#include "app/mesh_files/mesh_file.hpp"
+#include "app/scene/scene.hpp"
 #include "mesh_support.hpp"
 #include "output_support.hpp"
 #include "render/output/output.hpp"

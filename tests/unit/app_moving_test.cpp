@@ -2,8 +2,8 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "app/obstacle_mesh.hpp"
-#include "app/scene.hpp"
+#include "app/draw/obstacle_mesh.hpp"
+#include "app/scene/scene.hpp"
 
 namespace app_moving_tests {
 

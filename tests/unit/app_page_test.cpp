@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "app/bench_page.hpp"
-#include "app/compare_page.hpp"
-#include "app/page.hpp"
-#include "app/plot.hpp"
-#include "app/probes_page.hpp"
-#include "app/sweep_page.hpp"
+#include "app/pages/bench_page.hpp"
+#include "app/pages/compare_page.hpp"
+#include "app/pages/page.hpp"
+#include "app/pages/plot.hpp"
+#include "app/pages/probes_page.hpp"
+#include "app/pages/sweep_page.hpp"
 
 namespace app_page_tests {
 

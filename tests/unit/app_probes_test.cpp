@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/probe_table.hpp"
-#include "app/scene_fields.hpp"
+#include "app/run/probe_table.hpp"
+#include "app/scene/scene_fields.hpp"
 
 namespace app_probes_tests {
 

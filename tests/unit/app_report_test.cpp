@@ -1,7 +1,7 @@
 // What a run says of itself.
 #include <catch2/catch.hpp>
 
-#include "app/report.hpp"
+#include "app/run/report.hpp"
 
 namespace app_report_tests {
 

@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "app/estimate.hpp"
-#include "app/scene.hpp"
-#include "app/scene_document.hpp"
-#include "app/scene_fields.hpp"
-#include "app/scene_warnings.hpp"
+#include "app/checks/estimate.hpp"
+#include "app/checks/scene_warnings.hpp"
+#include "app/scene/scene.hpp"
+#include "app/scene/scene_fields.hpp"
+#include "app/tables/document.hpp"
+#include "app/tables/values.hpp"
 #include "sim/run/simulation.hpp"
 #include "sim/start/initial.hpp"
 

@@ -9,12 +9,12 @@
 #include <set>
 #include <thread>
 
-#include "app/report.hpp"
-#include "app/sweep_file.hpp"
-#include "app/sweep_folder.hpp"
-#include "app/sweep_plan.hpp"
-#include "app/sweep_results.hpp"
-#include "app/task_pool.hpp"
+#include "app/run/report.hpp"
+#include "app/sweep/sweep_file.hpp"
+#include "app/sweep/sweep_folder.hpp"
+#include "app/sweep/sweep_plan.hpp"
+#include "app/sweep/sweep_results.hpp"
+#include "app/system/task_pool.hpp"
 #include "output_support.hpp"
 
 namespace app_sweep_tests {

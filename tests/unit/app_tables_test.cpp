@@ -3,7 +3,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/scene_fields.hpp"
+#include "app/scene/scene_fields.hpp"
 
 namespace app_tables_tests {
 

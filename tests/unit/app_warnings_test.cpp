@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "app/estimate.hpp"
-#include "app/scene.hpp"
-#include "app/scene_warnings.hpp"
+#include "app/checks/estimate.hpp"
+#include "app/checks/scene_warnings.hpp"
+#include "app/scene/scene.hpp"
 
 namespace app_warnings_tests {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/commands.hpp"
-#include "app/particle_cache.hpp"
-#include "app/scene.hpp"
+#include "app/commands/commands.hpp"
+#include "app/kept/particle_cache.hpp"
+#include "app/scene/scene.hpp"
 #include "output_support.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/output.hpp"

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-#include "app/bounded_queue.hpp"
+#include "app/system/bounded_queue.hpp"
 #include "pipeline_support.hpp"
 
 TEST_CASE("a run leaves its frames, a video and a report") {

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <set>
+#include <vector>
+
+#include "app/commands/commands.hpp"
+#include "app/errors/errors.hpp"
+#include "app/files/folder_entries.hpp"
+#include "app/files/json_file.hpp"
+#include "app/kept/disk_estimate.hpp"
+#include "app/kept/simulation_record.hpp"
+#include "app/system/machine_limits.hpp"
+
+namespace spindrift::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A simulation that a run has kept.
+struct KeptSimulation {
+  fs::path folder;    ///< of its particles
+  std::string scene;  ///< the file, or the name where that is not known; may be empty
+  int frames = 0;
+  std::uint64_t bytes = 0;
+  double age = 0;     ///< since the last frame was written, s
+  bool used = false;  ///< it is the one of the run that the folder holds
+
+  fs::path run() const { return fs::absolute(folder).parent_path().parent_path(); }
+};
+
+/// Seconds since a file was written.
+double age_of(const fs::path& file) {
+  std::error_code ignored;
+  const auto written = fs::last_write_time(file, ignored);
+  return std::chrono::duration<double>(fs::file_time_type::clock::now() - written).count();
+}
+
+KeptSimulation described(const fs::path& folder, std::vector<fs::path> frames) {
+  KeptSimulation kept{.folder = folder,
+                      .scene = {},
+                      .frames = static_cast<int>(frames.size()),
+                      .bytes = folder_bytes(folder),
+                      .age = age_of(frames.front()),
+                      .used = false};
+  for (const fs::path& frame : frames)
+    kept.age = std::min(kept.age, age_of(frame));
+  const Json record = json_in(folder / simulation_record_file);
+  const Json run = json_in(kept.run() / "run.json");
+  kept.scene = text_in(record, text_in(record, "scene_file").empty() ? "scene_name" : "scene_file");
+  kept.used = text_in(run, "simulation_hash") == folder.filename().string();
+  return kept;
+}
+
+/// All below a folder, in the order of their paths.
+std::vector<KeptSimulation> kept_below(const fs::path& root) {
+  std::vector<fs::path> folders;
+  std::error_code gone;
+  for (const auto& entry : entries_below(root))
+    if (entry.is_directory(gone) && entry.path().parent_path().filename() == "particles")
+      folders.push_back(entry.path());
+  std::sort(folders.begin(), folders.end());
+  std::vector<KeptSimulation> found;
+  for (const fs::path& folder : folders) {
+    std::vector<fs::path> frames;
+    for (const auto& entry : entries_in(folder))
+      if (entry.is_regular_file(gone) && entry.path().extension() == ".particles" &&
+          !entry.path().filename().string().starts_with("."))
+        frames.push_back(entry.path());
+    if (!frames.empty())
+      found.push_back(described(folder, std::move(frames)));
+  }
+  return found;
+}
+
+std::string age_text(double seconds) {
+  return seconds < 3600    ? fmt::format("{:.0f} min", seconds / 60)
+         : seconds < 86400 ? fmt::format("{:.0f} h", seconds / 3600)
+                           : fmt::format("{:.0f} d", seconds / 86400);
+}
+
+Json kept_json(const KeptSimulation& kept) {
+  return {{"folder", kept.folder.string()}, {"scene", kept.scene},
+          {"frames", kept.frames},          {"bytes", kept.bytes},
+          {"age_seconds", kept.age},        {"used", kept.used}};
+}
+
+/// Frees the room of a simulation, unless somebody is at work in its run's folder.
+/// @return whether it is gone
+bool remove(const KeptSimulation& kept) {
+  try {
+    const FolderLock lock(kept.run(), false);
+    fs::remove_all(kept.folder);
+    return true;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "spindrift: {} stays: {}\n", kept.folder.string(), error.what());
+    return false;
+  }
+}
+
+}  // namespace
+
+int run_cache(const CacheOptions& options) {
+  std::vector<KeptSimulation> chosen;
+  std::set<fs::path> seen;  // a folder may be given by two names, or with one above it
+  for (const fs::path& folder : options.folders) {
+    if (!fs::is_directory(folder))
+      throw InputError(fmt::format("{}: there is no such folder", folder.string()));
+    for (KeptSimulation& kept : kept_below(folder))
+      if (seen.insert(fs::weakly_canonical(kept.folder)).second && kept.age >= options.older_than &&
+          !(options.unused && kept.used))
+        chosen.push_back(std::move(kept));
+  }
+  bool all_removed = true;
+  double sum = 0;
+  Json json = Json::array();
+  for (const KeptSimulation& kept : chosen) {
+    const bool removed = options.remove && remove(kept);
+    all_removed = all_removed && removed;
+    json.push_back(kept_json(kept));
+    json.back()["removed"] = removed;
+    if (!options.remove || removed)
+      sum += static_cast<double>(kept.bytes);
+    if (!options.quiet && !options.json)
+      fmt::print("{:>8}  {:>5} frames  {:>7} old  {:<6}  {}  {}\n",
+                 bytes_text(static_cast<double>(kept.bytes)), kept.frames, age_text(kept.age),
+                 kept.used ? "used" : "unused", kept.folder.string(), kept.scene);
+  }
+  if (options.json)
+    fmt::print("{}\n", json.dump(1));
+  else if (!options.quiet)
+    fmt::print("{} kept simulation{}, {}{}\n", chosen.size(), chosen.size() == 1 ? "" : "s",
+               bytes_text(sum), options.remove ? " freed" : "");
+  return options.remove && !all_removed ? run_failed : done;
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,91 @@
+#include "app/files/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "app/files/json_file.hpp"
+#include "render/output/atomic_file.hpp"
+
+namespace spindrift::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The words of this process's command line.
+std::string own_command() {
+  std::ifstream stream("/proc/self/cmdline", std::ios::binary);
+  std::string words{std::istreambuf_iterator<char>(stream), {}};
+  while (!words.empty() && words.back() == '\0')
+    words.pop_back();
+  for (char& c : words)
+    if (c == '\0')
+      c = ' ';
+  return words;
+}
+
+/// Leaves in the file who holds its lock. What can't be written is not missed: it is for people.
+void sign(int descriptor) {
+  const std::string text =
+      nlohmann::ordered_json{
+          {"process", ::getpid()},
+          {"command", own_command()},
+          {"since", fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::time(nullptr)))}}
+          .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+      "\n";
+  if (::ftruncate(descriptor, 0) == 0 &&
+      ::pwrite(descriptor, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+    (void)::ftruncate(descriptor, 0);
+}
+
+/// Who holds a lock, as its file says.
+std::string holder(const fs::path& file) {
+  const nlohmann::ordered_json who = json_in(file);
+  try {
+    return fmt::format("`{}` (process {}) has been at work here since {}",
+                       who.at("command").get<std::string>(), who.at("process").get<int>(),
+                       who.at("since").get<std::string>());
+  } catch (const nlohmann::json::exception&) {
+    return "another process is at work here";
+  }
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& folder, bool wait) {
+  output::make_folders(folder);
+  const fs::path file = folder / ".lock";
+  descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+  if (descriptor_ < 0)
+    throw std::runtime_error(fmt::format("cannot write {}: {}", file.string(), strerror(errno)));
+  int result;
+  do
+    result = ::flock(descriptor_, LOCK_EX | (wait ? 0 : LOCK_NB));
+  while (result != 0 && errno == EINTR);
+  if (result == 0) {
+    sign(descriptor_);
+    output::remove_part_files(folder);
+    return;
+  }
+  const int error = errno;
+  ::close(descriptor_);
+  throw std::runtime_error(error == EWOULDBLOCK
+                               ? fmt::format("{}: {}; wait for it, or give another folder (-o)",
+                                             folder.string(), holder(file))
+                               : fmt::format("cannot lock {}: {}", file.string(), strerror(error)));
+}
+
+FolderLock::~FolderLock() {
+  ::close(descriptor_);
+}
+
+}  // namespace spindrift::app

@@ -1,0 +1,72 @@
+// A list of golden tests: frames of scenes that are held against pictures kept from before.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene/scene.hpp"
+#include "app/tables/table.hpp"
+#include "render/compare/metrics.hpp"
+
+namespace spindrift::app {
+
+/// One scene of the list. What is left out here is as the list says.
+struct Golden {
+  std::string scene;                            ///< file, from the list's folder
+  std::string name;                             ///< names its pictures; the scene file's stem
+  std::vector<int> frames;                      ///< from 0
+  Overrides set;                                ///< values laid over the scene
+  std::optional<int> width, height;             ///< pixels, even
+  std::optional<double> max_flip, max_changed;  ///< as Limits
+  Scene resolved;                               ///< the scene with all of that; not in the file
+};
+
+struct GoldenList {
+  std::string references = "references";  ///< folder of the pictures, from the list's folder
+  int width = 320;                        ///< of the pictures, pixels, even
+  int height = 180;
+  double max_flip = 0.02;                      ///< most that a frame may differ: the mean of FLIP
+  double max_changed = 0.005;                  ///< and the share of its pixels beyond the threshold
+  int threshold = compare::default_threshold;  ///< of 255
+  std::vector<Golden> goldens;
+};
+
+template <>
+inline constexpr auto table<Golden> = std::tuple{
+    Field{"scene",
+          &Golden::scene,
+          "the scene file, from the list's folder",
+          {},
+          {},
+          Presence::required},
+    Field{"frames",
+          &Golden::frames,
+          "numbers of the frames, from 0",
+          Range{0, 1e6},
+          {},
+          Presence::required},
+    Field{"name", &Golden::name, "names the pictures; the scene file's stem if left out"},
+    Field{"set", &Golden::set, "values of the scene to change, as \"fluid.viscosity=0.05\""},
+    Field{"width", &Golden::width, "of the pictures, even", Range{16, 8192}, "pixels"},
+    Field{"height", &Golden::height, "of the pictures, even", Range{16, 8192}, "pixels"},
+    Field{"max_flip", &Golden::max_flip, "largest mean of FLIP", Range{0, 1}},
+    Field{"max_changed", &Golden::max_changed, "largest share of changed pixels", Range{0, 1}}};
+
+template <>
+inline constexpr auto table<GoldenList> = std::tuple{
+    Field{"references", &GoldenList::references, "folder of the pictures, from the list's folder"},
+    Field{"width", &GoldenList::width, "of the pictures, even", Range{16, 8192}, "pixels"},
+    Field{"height", &GoldenList::height, "of the pictures, even", Range{16, 8192}, "pixels"},
+    Field{"max_flip", &GoldenList::max_flip, "largest mean of FLIP", Range{0, 1}},
+    Field{"max_changed", &GoldenList::max_changed, "largest share of changed pixels", Range{0, 1}},
+    Field{"threshold", &GoldenList::threshold,
+          "a pixel has changed where a channel is off by more, of 255", Range{0, 254}},
+    Field{"goldens", &GoldenList::goldens, "what is rendered", {}, {}, Presence::required}};
+
+/// Reads a list and all its scenes. @param overrides values to lay over every scene, after its own
+/// @throws SceneError with file, line, place and what is accepted
+GoldenList read_golden_list(const std::filesystem::path& file, const Overrides& overrides = {});
+
+}  // namespace spindrift::app

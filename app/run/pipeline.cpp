@@ -1,0 +1,358 @@
+#include "app/run/pipeline.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <numeric>
+#include <thread>
+#include <utility>
+
+#include "app/draw/scene_drawing.hpp"
+#include "app/run/particle_source.hpp"
+#include "app/run/progress.hpp"
+#include "app/run/run_folder.hpp"
+#include "app/system/bounded_queue.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/threads.hpp"
+#include "render/output/atomic_file.hpp"
+#include "render/output/output.hpp"
+#include "sim/run/sight.hpp"
+
+namespace spindrift::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Frames that may wait between two stages.
+constexpr std::size_t queue_capacity = 2;
+constexpr std::size_t particles_capacity = 1;  ///< before frames are kept, and after
+
+struct NumberedFrame {
+  int number = 0;
+  ComingFrame frame;
+};
+
+struct NumberedParticles {
+  int number = 0;
+  sim::Frame frame;
+};
+
+struct NumberedImage {
+  int number = 0;
+  Image image;
+};
+
+/// Adds the time it lives to a stage's sum.
+class StageTimer {
+ public:
+  explicit StageTimer(double& sum) : sum_(sum) {}
+  ~StageTimer() {
+    sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Values in the given order.
+template <class T>
+std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> result(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    result[k] = values[order[k]];
+  return result;
+}
+
+/// In the order of the particles' numbers, so that a particle has the same place in every file;
+/// where particles come and go, with the numbers.
+void export_particles(const fs::path& file, const sim::Frame& frame, bool with_numbers) {
+  std::vector<std::uint32_t> order(frame.ids.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return frame.ids[a] < frame.ids[b]; });
+  const auto positions = ordered(frame.positions, order);
+  const auto velocities = ordered(frame.velocities, order);
+  const auto densities = ordered(frame.densities, order);
+  const auto pressures = ordered(frame.pressures, order);
+  const auto numbers = with_numbers ? ordered(frame.ids, order) : std::vector<std::uint32_t>();
+  output::write_ply(file, output::ParticleAttributes{.positions = positions,
+                                                     .velocities = velocities,
+                                                     .densities = densities,
+                                                     .pressures = pressures,
+                                                     .numbers = numbers});
+}
+
+/// Particles to picture. Lives in the drawing thread.
+class DrawingStage {
+ public:
+  DrawingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
+      : scene_(scene),
+        options_(options),
+        meshing_(record.stage_seconds["mesh"]),
+        drawing_(record.stage_seconds["draw"]),
+        writing_(record.stage_seconds["export"]),
+        scene_drawing_(scene, sim::choose_backend(scene.simulation).cuda_device) {
+    record.gl_renderer = scene_drawing_.info().renderer;
+    record.gl_version = scene_drawing_.info().version;
+    record.egl_device = scene_drawing_.info().egl_device;
+  }
+
+  Image draw(const NumberedParticles& particles) {
+    Mesh surface;
+    if (scene_drawing_.shows_surface() || options_.export_meshes) {
+      const StageTimer timer(meshing_);
+      surface = scene_drawing_.surface_of(particles.frame);
+    }
+    export_geometry(particles, surface);
+    const StageTimer timer(drawing_);
+    return scene_drawing_.draw(particles.frame, surface);
+  }
+
+ private:
+  void export_geometry(const NumberedParticles& particles, const Mesh& mesh) {
+    if (!options_.export_meshes && !options_.export_particles)
+      return;
+    const StageTimer timer(writing_);
+    const std::string name = fmt::format("{:04}.ply", particles.number);
+    if (options_.export_meshes)
+      output::write_ply(options_.output / "meshes" / name, mesh);
+    if (options_.export_particles)
+      export_particles(options_.output / "particles_ply" / name, particles.frame,
+                       scene_.simulation.exchanges_particles());
+  }
+
+  const Scene& scene_;
+  const RenderOptions& options_;
+  double &meshing_, &drawing_, &writing_;
+  SceneDrawing scene_drawing_;
+};
+
+/// Pictures to files.
+class WritingStage {
+ public:
+  WritingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
+      : scene_(scene),
+        options_(options),
+        record_(record),
+        png_(record.stage_seconds["write PNG"]),
+        video_(record.stage_seconds["write MP4"]),
+        part_(output::part_name(options.output / "video.mp4")),
+        writer_(part_, output::VideoSettings{.width = scene.video.width,
+                                             .height = scene.video.height,
+                                             .frames_per_second = scene.video.frames_per_second,
+                                             .quality = scene.video.quality}) {}
+
+  /// What is finished when an error comes stays, and plays.
+  ~WritingStage() {
+    try {
+      finish();
+    } catch (const std::exception&) {
+      // The error that came before is told.
+    }
+  }
+  WritingStage(const WritingStage&) = delete;
+  WritingStage& operator=(const WritingStage&) = delete;
+
+  void write(const NumberedImage& numbered) {
+    {
+      const StageTimer timer(png_);
+      output::write_png(options_.output / "frames" / fmt::format("{:04}.png", numbered.number),
+                        numbered.image);
+    }
+    const StageTimer timer(video_);
+    writer_.add(numbered.image);
+    ++count_;
+  }
+
+  /// Gives the video its name, unless the one of that name goes on for longer.
+  void finish() {
+    const int count = std::exchange(count_, 0);
+    if (count == 0)
+      return;
+    const StageTimer timer(video_);
+    writer_.finish();
+    const fs::path name =
+        options_.output / video_name(options_, record_.first_frame, count, scene_.video);
+    if (fs::exists(name) && output::video_length(name) > count)
+      fs::remove(part_);
+    else
+      output::give_name(part_, name);
+    record_.video = name;
+  }
+
+ private:
+  const Scene& scene_;
+  const RenderOptions& options_;
+  RunRecord& record_;
+  double &png_, &video_;
+  int count_ = 0;  ///< of frames that no video has yet
+  fs::path part_;  ///< name of the video until it is finished
+  output::VideoWriter writer_;
+};
+
+/// The run's threads, and what they share.
+class Pipeline {
+ public:
+  Pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record)
+      : scene_(scene), options_(options), record_(record) {
+    // Named before the threads start, since a map must not grow under them.
+    for (const char* stage :
+         {"simulate", "keep", "mesh", "draw", "export", "write PNG", "write MP4"})
+      record_.stage_seconds[stage] = 0;
+  }
+
+  void run(const FrameRange& range) {
+    ParticleSource source(scene_, options_, record_.probe_readings);
+    Progress progress(scene_, options_, range.last - range.first + 1, source.particle_count());
+    guarded([&] {
+      if (!options_.simulate_only) {
+        make_folders();
+        drawing_ = started_thread([&] { guarded([&] { draw_all(); }); });
+        writing_ = started_thread([&] { guarded([&] { write_all(progress); }); });
+      }
+      keeping_ = started_thread([&] { guarded([&] { keep_all(source, range, progress); }); });
+      simulate(source, range, progress);
+    });
+    coming_.close();
+    join(keeping_);
+    particles_.close();
+    join(drawing_);
+    images_.close();
+    join(writing_);
+    source.finish(record_);
+    if (failure_)
+      std::rethrow_exception(failure_);
+    // Also when all was simulated, and waited to be drawn.
+    record_.interrupted = record_.frames_finished < record_.frames_wanted;
+  }
+
+ private:
+  /// Runs a stage; the first failure of any stage ends them all.
+  template <class F>
+  void guarded(F stage) {
+    try {
+      stage();
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex_);
+      if (!failure_)
+        failure_ = std::current_exception();
+      coming_.close();
+      particles_.close();
+      images_.close();
+    }
+  }
+
+  static void join(std::thread& thread) {
+    if (thread.joinable())
+      thread.join();
+  }
+
+  void simulate(ParticleSource& source, const FrameRange& range, Progress& progress) {
+    for (int number = 0; number <= range.last; ++number) {
+      std::optional<ComingFrame> coming = timed_next(source, number);
+      if (!coming)
+        return;
+      record_.frames.push_back(coming->statistics);
+      record_.times.push_back(coming->time);
+      progress.set_particles(coming->particle_count);
+      if (!coming_.push({number, std::move(*coming)}))
+        return;
+    }
+  }
+
+  /// After Ctrl-C too, so that what is simulated is not lost.
+  void keep_all(const ParticleSource& source, const FrameRange& range, Progress& progress) {
+    while (auto coming = coming_.pop()) {
+      const int number = coming->number;
+      KeptFrame kept = timed_keep(source, std::move(*coming));
+      if (number < range.first)
+        continue;
+      kept.frame = sim::in_sight(scene_.simulation, std::move(kept.frame));
+      if (options_.simulate_only) {
+        if (options_.export_particles) {
+          output::make_folders(options_.output / "particles_ply");
+          export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
+                           kept.frame, scene_.simulation.exchanges_particles());
+        }
+        progress.show("simulating", number, ++record_.frames_finished);
+      } else {
+        particles_.push({number, std::move(kept.frame)});
+      }
+    }
+  }
+
+  KeptFrame timed_keep(const ParticleSource& source, NumberedFrame coming) {
+    const StageTimer timer(record_.stage_seconds["keep"]);
+    return source.keep(coming.number, std::move(coming.frame));
+  }
+
+  std::optional<ComingFrame> timed_next(ParticleSource& source, int number) {
+    const StageTimer timer(record_.stage_seconds["simulate"]);
+    return source.next(number);
+  }
+
+  void draw_all() {
+    if (options_.threads > 0)
+      omp_set_num_threads(options_.threads);  // holds for one thread's loops
+    DrawingStage stage(scene_, options_, record_);
+    while (auto particles = particles_.pop()) {
+      if (InterruptGuard::requested())
+        break;
+      if (!images_.push({particles->number, stage.draw(*particles)}))
+        break;
+    }
+    particles_.close();
+    images_.close();
+  }
+
+  void write_all(Progress& progress) {
+    WritingStage stage(scene_, options_, record_);
+    while (auto image = images_.pop()) {
+      stage.write(*image);
+      progress.show("rendering", image->number, ++record_.frames_finished);
+    }
+    stage.finish();
+  }
+
+  void make_folders() {
+    output::require_replaceable(options_.output / video_name(options_, record_.first_frame,
+                                                             record_.frames_wanted, scene_.video));
+    output::make_folders(options_.output / "frames");
+    if (options_.export_meshes)
+      output::make_folders(options_.output / "meshes");
+    if (options_.export_particles)
+      output::make_folders(options_.output / "particles_ply");
+  }
+
+  const Scene& scene_;
+  const RenderOptions& options_;
+  RunRecord& record_;
+  BoundedQueue<NumberedFrame> coming_{particles_capacity};
+  BoundedQueue<NumberedParticles> particles_{particles_capacity};
+  BoundedQueue<NumberedImage> images_{queue_capacity};
+  std::thread drawing_, writing_, keeping_;
+  std::exception_ptr failure_;
+  std::mutex failure_mutex_;
+};
+
+}  // namespace
+
+void run_pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record) {
+  if (options.threads > 0)
+    omp_set_num_threads(options.threads);
+  const InterruptGuard interrupt;
+  const FrameRange range = options.frames.value_or(FrameRange{0, scene.video.frame_count() - 1});
+  record.first_frame = range.first;
+  record.frames_wanted = range.last - range.first + 1;
+  StageTimer timer(record.wall_seconds);
+  Pipeline(scene, options, record).run(range);
+}
+
+}  // namespace spindrift::app

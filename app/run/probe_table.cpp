@@ -1,0 +1,145 @@
+#include "app/run/probe_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pages/probes_page.hpp"
+#include "app/scene/scene_fields.hpp"
+#include "app/tables/values.hpp"
+
+namespace spindrift::app {
+namespace {
+
+using Readings = std::vector<ProbeReading>;
+
+/// A unit as people write it.
+std::string shown_unit(std::string_view unit) {
+  return unit == "m3" ? "m³" : std::string(unit);
+}
+
+/// One column over time. Of many readings the lowest and the highest of each of `most_parts` equal
+/// parts are taken, so that peaks stay.
+Curve curve_of(const Readings& readings, std::size_t column, const std::string& title) {
+  constexpr std::size_t most_parts = 1000;
+  Curve curve{.title = title, .dashed = false};
+  const std::size_t size = std::max<std::size_t>(1, readings.size() / most_parts);
+  const auto value = [&](const ProbeReading& reading) { return reading.values[column]; };
+  const auto add = [&](const ProbeReading& reading) {
+    curve.points.emplace_back(reading.time, value(reading));
+  };
+  for (std::size_t begin = 0; begin < readings.size(); begin += size) {
+    const ProbeReading *lowest = nullptr, *highest = nullptr;
+    for (std::size_t i = begin; i < std::min(begin + size, readings.size()); ++i) {
+      if (std::isnan(value(readings[i])))
+        continue;
+      if (lowest == nullptr || value(readings[i]) < value(*lowest))
+        lowest = &readings[i];
+      if (highest == nullptr || value(readings[i]) > value(*highest))
+        highest = &readings[i];
+    }
+    if (lowest == nullptr)
+      continue;
+    add(*std::min(lowest, highest));
+    if (lowest != highest)
+      add(*std::max(lowest, highest));
+  }
+  return curve;
+}
+
+/// The plots of a probe whose first column is `first`.
+std::vector<PageValues> plots_of(const std::vector<sim::ProbeColumn>& columns, std::size_t first,
+                                 const Readings& readings, const DrawPlot& draw) {
+  std::vector<Plot> plots;
+  std::string_view unit;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k].unit != unit) {
+      unit = columns[k].unit;
+      plots.push_back({.x_label = "time (s)", .y_label = shown_unit(unit), .y_from_zero = false});
+    }
+    Curve curve = curve_of(readings, first + k, columns[k].name);
+    curve.color = static_cast<int>(plots.back().curves.size());
+    plots.back().curves.push_back(std::move(curve));
+  }
+  std::vector<PageValues> shown;
+  for (const Plot& plot : plots) {
+    const bool empty = std::all_of(plot.curves.begin(), plot.curves.end(),
+                                   [](const Curve& curve) { return curve.points.empty(); });
+    shown.push_back(empty ? missing_plot("There was nothing to measure.") : draw(plot));
+  }
+  return shown;
+}
+
+}  // namespace
+
+ProbeReading read_probes(const Scene& scene, const sim::Frame& frame) {
+  ProbeReading reading{frame.time, {}};
+  for (const sim::Probe& probe : scene.probes) {
+    const std::vector<double> values = sim::measure(probe, frame, scene.simulation);
+    reading.values.insert(reading.values.end(), values.begin(), values.end());
+  }
+  return reading;
+}
+
+std::vector<double> reading_times(double begin, double end, double rate) {
+  constexpr double rounding = 1e-6;  // periods
+  std::vector<double> due;
+  for (double k = std::max(0., std::floor(begin * rate + rounding) + 1); k <= end * rate + rounding;
+       ++k)
+    due.push_back(k >= end * rate - rounding ? end : k / rate);
+  return due;
+}
+
+std::vector<double> stop_times(double begin, double end, std::size_t readings) {
+  std::vector<double> stops;
+  for (std::size_t k = 1; k < readings; ++k)
+    stops.push_back(begin +
+                    (end - begin) * (static_cast<double>(k) / static_cast<double>(readings)));
+  stops.push_back(end);
+  return stops;
+}
+
+ProbeReading reading_between(const ProbeReading& before, const ProbeReading& after, double time) {
+  constexpr double rounding = 1e-6;  // of the time between the two
+  const double part = (time - before.time) / (after.time - before.time);
+  ProbeReading reading{time, after.values};
+  if (!(part < 1 - rounding))
+    return reading;
+  for (std::size_t i = 0; i < reading.values.size(); ++i)
+    reading.values[i] = before.values[i] + part * (after.values[i] - before.values[i]);
+  return reading;
+}
+
+std::string probes_csv(const Scene& scene, const Readings& readings) {
+  std::string text = "time_s";
+  for (const sim::Probe& probe : scene.probes)
+    for (const sim::ProbeColumn& column : sim::probe_columns(probe))
+      text += fmt::format(",{}_{}", column.name, column.unit);
+  for (const ProbeReading& reading : readings) {
+    text += fmt::format("\n{:.9g}", reading.time);
+    for (const double value : reading.values)
+      text += std::isnan(value) ? "," : fmt::format(",{:.7g}", value);
+  }
+  return text + "\n";
+}
+
+std::string probes_html(const Scene& scene, const Readings& readings, const DrawPlot& draw) {
+  std::vector<PageValues> probes;
+  std::size_t first = 0;
+  for (const sim::Probe& probe : scene.probes) {
+    const auto columns = sim::probe_columns(probe);
+    std::string quantity(alternative_names<sim::ProbeQuantity>[probe.quantity.index()]);
+    const std::string settings =
+        std::visit([](const auto& one) { return json_of(one).dump(); }, probe.quantity);
+    if (settings != "{}")
+      quantity += " " + settings;
+    probes.push_back({{"name", probe.name},
+                      {"quantity", quantity},
+                      {"plots", plots_of(columns, first, readings, draw)}});
+    first += columns.size();
+  }
+  return PageTemplate(probes_page).fill({{"scene", scene.name}, {"probes", probes}});
+}
+
+}  // namespace spindrift::app

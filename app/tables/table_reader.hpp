@@ -1,0 +1,209 @@
+// Reads a document's values into plain data, by the tables of its keys, and gathers all that is
+// wrong with them.
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/errors/nearest_name.hpp"
+#include "app/tables/document.hpp"
+#include "app/tables/table.hpp"
+#include "render/frame_rate.hpp"
+
+namespace spindrift::app {
+
+/// A value as messages show it: what kind it is, and, if it is short, what it says.
+std::string found_text(const Json& json);
+
+/// What a value of a field must look like, for messages and bounds.
+struct Bounds {
+  Range range;
+  std::string_view unit;
+};
+
+class TableReader {
+ public:
+  std::vector<Problem> problems() && { return std::move(problems_); }
+
+  template <Section T>
+  void read(const LocatedValue& value, T& into, const Bounds& = {}) {
+    if constexpr (!lone_entry_name<T>.empty())
+      return read_list_or_entry(value, into);
+    std::vector<std::string_view> keys, meant;
+    list_keys<T>(keys);
+    if (check_keys(value, keys, meant))
+      read_fields(value, into, meant);
+  }
+
+ private:
+  void complain(const LocatedValue& value, std::string message) {
+    problems_.push_back(value.problem(std::move(message)));
+  }
+
+  template <class T>
+  static void list_keys(std::vector<std::string_view>& keys) {
+    for_each_field<T>([&](const auto& field) {
+      using Value = std::remove_cvref_t<decltype(std::declval<T&>().*field.member)>;
+      if (!field.key.empty()) {
+        keys.push_back(field.key);
+      } else if constexpr (Section<Value>) {
+        list_keys<Value>(keys);
+      } else {
+        const auto& names = alternative_names<Value>;
+        keys.insert(keys.end(), names.begin(), names.end());
+      }
+    });
+  }
+
+  /// Whether the value is an object; its keys should be among those. @param meant the nearest
+  /// names of unknown keys, which need not be found missing as well
+  bool check_keys(const LocatedValue& value, const std::vector<std::string_view>& keys,
+                  std::vector<std::string_view>& meant);
+
+  template <Section T>
+  void read_fields(const LocatedValue& value, T& into, const std::vector<std::string_view>& meant) {
+    const auto is_meant = [&](std::string_view key) {
+      return std::find(meant.begin(), meant.end(), key) != meant.end();
+    };
+    for_each_field<T>([&](const auto& field) {
+      auto& member = into.*field.member;
+      using Value = std::remove_reference_t<decltype(member)>;
+      if (field.key.empty()) {
+        if constexpr (Section<Value>) {
+          read_fields(value, member, meant);
+        } else if constexpr (Alternatives<Value>) {
+          const auto& names = alternative_names<Value>;
+          read_alternative(value, member, std::any_of(names.begin(), names.end(), is_meant));
+        }
+        return;
+      }
+      if (const auto found = value.find(field.key)) {
+        read(*found, member, Bounds{field.range, field.unit});
+      } else if (field.presence == Presence::required && !is_meant(field.key)) {
+        complain(value, fmt::format("\"{}\" is missing ({})", field.key, field.about));
+      }
+    });
+  }
+
+  /// @param is_meant one of them by an unknown key
+  template <Alternatives V>
+  void read_alternative(const LocatedValue& value, V& into, bool is_meant) {
+    const auto& names = alternative_names<V>;
+    std::vector<std::size_t> given;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (value.json().contains(names[i])) {
+        given.push_back(i);
+      }
+    }
+    if (given.size() != 1) {
+      if (!given.empty() || !is_meant)
+        complain(value, fmt::format("expected one {} out of {}, found {}", variant_name<V>,
+                                    fmt::join(names, ", "), given.size()));
+      return;
+    }
+    into = all_alternatives<V>(std::make_index_sequence<std::variant_size_v<V>>())[given[0]];
+    const LocatedValue chosen = *value.find(names[given[0]]);
+    std::visit([&](auto& alternative) { read(chosen, alternative); }, into);
+  }
+
+  template <class V, std::size_t... I>
+  static std::array<V, sizeof...(I)> all_alternatives(std::index_sequence<I...>) {
+    return {V(std::in_place_index<I>)...};
+  }
+
+  /// The section's list, or one entry of it, written straight into the section.
+  template <Section T>
+  void read_list_or_entry(const LocatedValue& value, T& into) {
+    const auto& field = std::get<0>(table<T>);
+    auto& list = into.*field.member;
+    using Entry = typename std::remove_reference_t<decltype(list)>::value_type;
+    std::vector<std::string_view> keys, meant;
+    list_keys<T>(keys);
+    list_keys<Entry>(keys);
+    if (!check_keys(value, keys, meant))
+      return;
+    const bool has_list = value.json().contains(field.key);
+    const std::size_t known = value.json().size() - meant.size();
+    if (has_list && known > 1) {
+      complain(value, fmt::format("give either {} or {}, not both", field.key, lone_entry_name<T>));
+    } else if (has_list) {
+      read_fields(value, into, meant);
+    } else if (known > 0) {
+      list.resize(1);
+      read_fields(value, list[0], meant);
+    }
+  }
+
+  template <class T>
+  void read(const LocatedValue& value, std::vector<T>& into, const Bounds& of_each) {
+    if (!value.json().is_array())
+      return complain(value,
+                      fmt::format("expected a list [...], found {}", found_text(value.json())));
+    into.clear();
+    for (std::size_t i = 0; i < value.json().size(); ++i) {
+      into.emplace_back();
+      read(value[i], into.back(), of_each);
+    }
+  }
+
+  template <class T>
+  void read(const LocatedValue& value, std::optional<T>& into, const Bounds& bounds) {
+    read(value, into.emplace(), bounds);
+  }
+
+  /// Names and files; neither goes over a line's end.
+  void read(const LocatedValue& value, std::string& into, const Bounds&);
+
+  void read(const LocatedValue& value, bool& into, const Bounds&);
+
+  /// A number within the bounds; none, with a complaint, for anything else.
+  std::optional<double> read_number(const LocatedValue& value, const Bounds& bounds);
+
+  void read(const LocatedValue& value, double& into, const Bounds& bounds);
+  void read(const LocatedValue& value, float& into, const Bounds& bounds);
+  void read(const LocatedValue& value, int& into, const Bounds& bounds);
+
+  void read(const LocatedValue& value, FrameRate& into, const Bounds& bounds);
+
+  void read(const LocatedValue& value, glm::vec3& into, const Bounds& bounds);
+
+  template <class E>
+  requires std::is_enum_v<E>
+  void read(const LocatedValue& value, E& into, const Bounds&) {
+    const auto& names = value_names<E>;
+    const std::string found = found_text(value.json());
+    if (!value.json().is_string())
+      return complain(value,
+                      fmt::format("expected one of {}, found {}", fmt::join(names, ", "), found));
+    const auto typed = value.json().get<std::string>();
+    const auto at = std::find(names.begin(), names.end(), typed);
+    if (at == names.end())
+      return complain(value, fmt::format("unknown value {}; {}", found, suggestion(typed, names)));
+    into = static_cast<E>(at - names.begin());
+  }
+
+  // An alternative is only ever read through its owner's keys.
+  template <Alternatives V>
+  void read(const LocatedValue&, V&, const Bounds&) {}
+
+  std::vector<Problem> problems_;
+};
+
+/// The whole document, by the section's table. @throws SceneError with all that is wrong in it
+template <Section T>
+void read_document(const SceneDocument& document, T& into) {
+  TableReader reader;
+  reader.read(document.value(), into);
+  throw_if_any(std::move(reader).problems());
+}
+
+}  // namespace spindrift::app
