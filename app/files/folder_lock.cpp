@@ -7,11 +7,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <ctime>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include "app/files/json_file.hpp"
 #include "render/output/atomic_file.hpp"
@@ -47,9 +49,21 @@ void sign(int descriptor) {
     (void)::ftruncate(descriptor, 0);
 }
 
+/// What a lock's file says of who holds it; null where nothing is said within a second. Whoever
+/// has just got the lock is about to sign.
+nlohmann::ordered_json signature_in(const fs::path& file) {
+  using namespace std::chrono_literals;
+  nlohmann::ordered_json who = json_in(file);
+  for (int k = 0; k < 50 && who.is_null(); ++k) {
+    std::this_thread::sleep_for(20ms);
+    who = json_in(file);
+  }
+  return who;
+}
+
 /// Who holds a lock, as its file says.
 std::string holder(const fs::path& file) {
-  const nlohmann::ordered_json who = json_in(file);
+  const nlohmann::ordered_json who = signature_in(file);
   try {
     return fmt::format("`{}` (process {}) has been at work here since {}",
                        who.at("command").get<std::string>(), who.at("process").get<int>(),
@@ -85,6 +99,7 @@ FolderLock::FolderLock(const fs::path& folder, bool wait) {
 }
 
 FolderLock::~FolderLock() {
+  (void)!::ftruncate(descriptor_, 0);  // the next one's signature is its own
   ::close(descriptor_);
 }
 
