@@ -60,7 +60,7 @@ std::string bytes_of(const fs::path& file) {
 
 }  // namespace
 
-sim::TriangleSurface read_mesh_file(const fs::path& file) {
+geometry::TriangleSurface read_mesh_file(const fs::path& file) {
   if (!is_mesh_file(file)) {
     throw MeshError("is not named .obj or .ply, the files that are read");
   }

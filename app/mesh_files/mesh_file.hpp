@@ -10,6 +10,6 @@ namespace spindrift::app {
 /// The triangles of a file as they are there, polygons cut up; in the file's own unit.
 /// @throws MeshError when the file is missing, of another kind, or can't be read; it says where in
 /// the file, and does not name the file
-sim::TriangleSurface read_mesh_file(const std::filesystem::path& file);
+geometry::TriangleSurface read_mesh_file(const std::filesystem::path& file);
 
 }  // namespace spindrift::app

@@ -70,8 +70,8 @@ std::uint32_t read_corner(std::string_view word, std::size_t before, std::size_t
 
 }  // namespace
 
-sim::TriangleSurface read_obj(std::string_view text) {
-  sim::TriangleSurface surface;
+geometry::TriangleSurface read_obj(std::string_view text) {
+  geometry::TriangleSurface surface;
   for_each_line(text, [&](std::string_view keyword, std::string_view rest) {
     if (keyword == "v") {
       surface.vertices.push_back(read_vertex(rest));

@@ -277,7 +277,7 @@ class PlySurfaceReader {
  public:
   PlySurfaceReader(PlyBody body, PlyEncoding encoding) : body_(body), encoding_(encoding) {}
 
-  sim::TriangleSurface read(const std::vector<PlyElement>& elements) {
+  geometry::TriangleSurface read(const std::vector<PlyElement>& elements) {
     for (const PlyElement& element : elements) {
       const std::size_t least = element.least_bytes(encoding_);
       if (element.count > 0 && least == 0) {
@@ -389,12 +389,12 @@ class PlySurfaceReader {
 
   PlyBody body_;
   PlyEncoding encoding_;
-  sim::TriangleSurface surface_;
+  geometry::TriangleSurface surface_;
 };
 
 }  // namespace
 
-sim::TriangleSurface read_ply(std::string_view bytes) {
+geometry::TriangleSurface read_ply(std::string_view bytes) {
   const std::size_t size = bytes.size();
   PlyHeaderReader reader(bytes);
   const PlyHeader header = reader.read();

@@ -13,11 +13,11 @@ using geometry::MeshError;
 
 /// The vertices (v) and faces (f) of a Wavefront OBJ; polygons are cut up, all else is left out,
 /// materials too. @throws MeshError with the line and what is wrong there
-sim::TriangleSurface read_obj(std::string_view text);
+geometry::TriangleSurface read_obj(std::string_view text);
 
 /// The elements vertex and face of a PLY, as text or binary; polygons are cut up, all else is left
 /// out. @throws MeshError with the line or the byte and what is wrong there
-sim::TriangleSurface read_ply(std::string_view bytes);
+geometry::TriangleSurface read_ply(std::string_view bytes);
 
 /// A whole word as a number; none where it is not one, or is out of the type's range.
 template <class Number>

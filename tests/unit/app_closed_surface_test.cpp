@@ -22,19 +22,20 @@ using Catch::Matchers::Contains;
 namespace {
 
 /// Parts, the k-th turned inside out where bit k of `turned` says so.
-sim::TriangleSurface turned_parts(const std::vector<sim::TriangleSurface>& parts, unsigned turned) {
-  sim::TriangleSurface all;
+geometry::TriangleSurface turned_parts(const std::vector<geometry::TriangleSurface>& parts,
+                                       unsigned turned) {
+  geometry::TriangleSurface all;
   for (std::size_t k = 0; k < parts.size(); ++k)
     all = joined(all, parts[k], (turned >> k & 1) != 0);
   return all;
 }
 
 /// Whether the body that a mesh stands for is at a place.
-bool is_inside(const sim::TriangleSurface& closed, const glm::vec3& place) {
-  return sim::TriangleTree(closed).winding_number(place) > 0;
+bool is_inside(const geometry::TriangleSurface& closed, const glm::vec3& place) {
+  return geometry::TriangleTree(closed).winding_number(place) > 0;
 }
 
-sim::TriangleSurface box(float low, float high) {
+geometry::TriangleSurface box(float low, float high) {
   return box_mesh(glm::vec3(low), glm::vec3(high));
 }
 
@@ -126,7 +127,7 @@ TEST_CASE("a mesh that is there twice counts once, and a face between two bodies
 }
 
 TEST_CASE("many parts are told apart in time") {
-  sim::TriangleSurface mesh = box(-1, 40);
+  geometry::TriangleSurface mesh = box(-1, 40);
   for (int k = 0; k < 8000; ++k) {
     const auto stone = box_mesh(glm::vec3(k % 20, k / 20 % 20, k / 400),
                                 glm::vec3(k % 20, k / 20 % 20, k / 400) + 0.5f);
@@ -142,7 +143,7 @@ TEST_CASE("many parts are told apart in time") {
 
 TEST_CASE("many parts along one axis are told apart in time, whichever it is") {
   const int axis = GENERATE(0, 1, 2);
-  sim::TriangleSurface mesh = box(21001, 42001);
+  geometry::TriangleSurface mesh = box(21001, 42001);
   for (int k = 0; k < 21000; ++k) {
     glm::vec3 low(0);
     low[axis] = static_cast<float>(k);

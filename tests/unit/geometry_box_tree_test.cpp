@@ -6,9 +6,9 @@
 #include "sim/geometry/box_tree.hpp"
 #include "sim/geometry/shape.hpp"
 
-namespace sim_box_tree_tests {
+namespace geometry_box_tree_tests {
 
-using namespace spindrift::sim;
+using namespace spindrift::geometry;
 
 namespace {
 
@@ -49,4 +49,4 @@ TEST_CASE("a tree of boxes finds all that lie in one place, and what only touche
   CHECK(found.empty());
 }
 
-}  // namespace sim_box_tree_tests
+}  // namespace geometry_box_tree_tests

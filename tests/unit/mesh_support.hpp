@@ -13,8 +13,8 @@
 
 namespace spindrift::test {
 
-inline sim::TriangleSurface box_mesh(const glm::vec3& min, const glm::vec3& max) {
-  sim::TriangleSurface mesh;
+inline geometry::TriangleSurface box_mesh(const glm::vec3& min, const glm::vec3& max) {
+  geometry::TriangleSurface mesh;
   for (int k = 0; k < 8; ++k)
     mesh.vertices.push_back({k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z});
   const unsigned faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
@@ -27,8 +27,8 @@ inline sim::TriangleSurface box_mesh(const glm::vec3& min, const glm::vec3& max)
 }
 
 /// A box whose triangles are split in four, `times` times, and blown up to a ball.
-inline sim::TriangleSurface ball_mesh(const glm::vec3& center, float radius, int times) {
-  sim::TriangleSurface mesh = box_mesh(glm::vec3(-1), glm::vec3(1));
+inline geometry::TriangleSurface ball_mesh(const glm::vec3& center, float radius, int times) {
+  geometry::TriangleSurface mesh = box_mesh(glm::vec3(-1), glm::vec3(1));
   for (int k = 0; k < times; ++k) {
     std::map<std::pair<unsigned, unsigned>, unsigned> middles;
     const auto middle = [&](unsigned a, unsigned b) {
@@ -54,9 +54,9 @@ inline sim::TriangleSurface ball_mesh(const glm::vec3& center, float radius, int
 
 /// A closed profile of (distance from the axis, height), from the axis to the axis,
 /// counter-clockwise with the axis on the left, turned about the y axis through `base`.
-inline sim::TriangleSurface turned_mesh(const std::vector<glm::vec2>& profile, unsigned around,
-                                        const glm::vec3& base) {
-  sim::TriangleSurface mesh;
+inline geometry::TriangleSurface turned_mesh(const std::vector<glm::vec2>& profile, unsigned around,
+                                             const glm::vec3& base) {
+  geometry::TriangleSurface mesh;
   std::vector<std::vector<unsigned>> rings;
   for (const glm::vec2& p : profile) {
     rings.emplace_back();
@@ -81,8 +81,8 @@ inline sim::TriangleSurface turned_mesh(const std::vector<glm::vec2>& profile, u
 }
 
 /// A round cup that stands on `base`, open at the top.
-inline sim::TriangleSurface cup_mesh(const glm::vec3& base, float inner_radius, float height,
-                                     float wall) {
+inline geometry::TriangleSurface cup_mesh(const glm::vec3& base, float inner_radius, float height,
+                                          float wall) {
   const float outer = inner_radius + wall;
   return turned_mesh({{0, 0},
                       {outer, 0},
@@ -94,9 +94,9 @@ inline sim::TriangleSurface cup_mesh(const glm::vec3& base, float inner_radius, 
 }
 
 /// An L of arms one metre long and 0.4 m thick, one metre deep.
-inline sim::TriangleSurface l_mesh() {
+inline geometry::TriangleSurface l_mesh() {
   const glm::vec2 outline[] = {{0, 0}, {1, 0}, {1, 0.4}, {0.4, 0.4}, {0.4, 1}, {0, 1}};
-  sim::TriangleSurface mesh;
+  geometry::TriangleSurface mesh;
   for (const float z : {0.f, 1.f})
     for (const glm::vec2& p : outline)
       mesh.vertices.push_back({p, z});
@@ -113,8 +113,8 @@ inline sim::TriangleSurface l_mesh() {
 }
 
 /// A ring in the plane of x and z around the origin.
-inline sim::TriangleSurface torus_mesh(float radius, float thickness, unsigned around = 64) {
-  sim::TriangleSurface mesh;
+inline geometry::TriangleSurface torus_mesh(float radius, float thickness, unsigned around = 64) {
+  geometry::TriangleSurface mesh;
   const unsigned across = around / 2;
   for (unsigned j = 0; j < across; ++j)
     for (unsigned i = 0; i < around; ++i) {
@@ -132,7 +132,7 @@ inline sim::TriangleSurface torus_mesh(float radius, float thickness, unsigned a
 }
 
 /// Turned to no axis of the grid, and moved off its nodes.
-inline sim::TriangleSurface askew(sim::TriangleSurface mesh) {
+inline geometry::TriangleSurface askew(geometry::TriangleSurface mesh) {
   const glm::mat3 turn({0.36f, 0.48f, -0.8f}, {-0.8f, 0.6f, 0.f}, {0.48f, 0.64f, 0.6f});
   for (glm::vec3& v : mesh.vertices)
     v = turn * v + glm::vec3(0.013f, 0.017f, 0.011f);
@@ -140,8 +140,9 @@ inline sim::TriangleSurface askew(sim::TriangleSurface mesh) {
 }
 
 /// Both surfaces as one; the second one's triangles turned over on request, which makes a cavity.
-inline sim::TriangleSurface joined(sim::TriangleSurface a, const sim::TriangleSurface& b,
-                                   bool turn_over = false) {
+inline geometry::TriangleSurface joined(geometry::TriangleSurface a,
+                                        const geometry::TriangleSurface& b,
+                                        bool turn_over = false) {
   const auto first = static_cast<unsigned>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
   for (const glm::uvec3& t : b.triangles)
@@ -149,14 +150,14 @@ inline sim::TriangleSurface joined(sim::TriangleSurface a, const sim::TriangleSu
   return a;
 }
 
-inline sim::TriangleMesh solid(sim::TriangleSurface surface, float spacing) {
-  sim::TriangleMesh mesh;
-  mesh.body = std::make_shared<const sim::MeshBody>(std::move(surface), spacing);
+inline geometry::TriangleMesh solid(geometry::TriangleSurface surface, float spacing) {
+  geometry::TriangleMesh mesh;
+  mesh.body = std::make_shared<const geometry::MeshBody>(std::move(surface), spacing);
   return mesh;
 }
 
 /// `count` places spread evenly over a surface.
-inline std::vector<glm::vec3> places_on(const sim::TriangleSurface& surface, int count) {
+inline std::vector<glm::vec3> places_on(const geometry::TriangleSurface& surface, int count) {
   std::vector<double> areas;
   double area = 0;
   for (const glm::uvec3& t : surface.triangles) {
