@@ -6,13 +6,14 @@
 
 #include "sim/geometry/shapes/box.hpp"
 #include "sim/geometry/shapes/capsule.hpp"
+#include "sim/geometry/shapes/cone.hpp"
 #include "sim/geometry/shapes/cylinder.hpp"
 #include "sim/geometry/shapes/sphere.hpp"
 #include "sim/geometry/shapes/triangle_mesh.hpp"
 
 namespace spindrift::geometry {
 
-using Shape = std::variant<Box, Sphere, Cylinder, Capsule, TriangleMesh>;
+using Shape = std::variant<Box, Sphere, Cylinder, Capsule, Cone, TriangleMesh>;
 
 /// What is wrong with a shape, for people; empty: nothing.
 std::string problem_of(const Shape& shape);

@@ -138,7 +138,8 @@ TEST_CASE("obstacle meshes are closed, face outward and hold the shape's volume"
                                        sim::Cylinder{{0.f, 0.f, 0.f}, {0.f, 1.f, 0.f}, 0.3f},
                                        sim::Cylinder{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f},
                                        sim::Capsule{{0.f, 0.f, 0.f}, {0.f, 1.f, 0.f}, 0.3f},
-                                       sim::Capsule{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f}};
+                                       sim::Capsule{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f},
+                                       sim::Cone{{1.f, 0.f, 0.f}, {0.f, 0.5f, 2.f}, 0.3f, 0.6f}};
   for (const sim::Shape& shape : shapes) {
     INFO("shape " << shape.index());
     const Mesh mesh = mesh_of(shape);

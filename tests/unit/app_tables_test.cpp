@@ -50,6 +50,7 @@ TEST_CASE("every member of every settings struct has its key") {
   STATIC_REQUIRE(complete<sim::Sphere>);
   STATIC_REQUIRE(complete<sim::Cylinder>);
   STATIC_REQUIRE(complete<sim::Capsule>);
+  STATIC_REQUIRE(complete<sim::Cone>);
   // All but the body, which is made from the file.
   STATIC_REQUIRE(member_count<sim::TriangleMesh>() ==
                  1 + std::tuple_size_v<decltype(table<sim::TriangleMesh>)>);

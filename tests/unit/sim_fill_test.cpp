@@ -77,7 +77,9 @@ TEST_CASE("round shapes hold the volume that is asked for") {
       GENERATE(Shape(Sphere{{0, 0, 0}, 0.21f}), Shape(Sphere{{0, 0, 0}, 0.245f}),
                Shape(Sphere{{0, 0, 0}, 0.3f}), Shape(Cylinder{{0, 0, 0}, {0, 0.52f, 0}, 0.23f}),
                Shape(Cylinder{{0, 0, 0}, {0.5f, 0, 0}, 0.3f}),
-               Shape(Capsule{{0, 0, 0}, {0.3f, 0.2f, 0}, 0.22f}));
+               Shape(Capsule{{0, 0, 0}, {0.3f, 0.2f, 0}, 0.22f}),
+               Shape(Cone{{0, 0, 0}, {0, 0.52f, 0}, 0.4f}),
+               Shape(Cone{{0, 0, 0}, {0.3f, 0.3f, 0}, 0.2f, 0.4f}));
   Settings s;
   s.fluid.spacing = d;
   s.domain = {{-1, -1, -1}, {1, 1, 1}};
