@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <type_traits>

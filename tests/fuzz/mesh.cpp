@@ -7,10 +7,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace spindrift;
   const std::string_view bytes = fuzz::text_of(data, size);
   try {
-    const sim::TriangleSurface closed = geometry::closed_surface(
+    const geometry::TriangleSurface closed = geometry::closed_surface(
         bytes.starts_with("ply") ? app::read_ply(bytes) : app::read_obj(bytes));
     fuzz::require(geometry::enclosed_volume(closed) > 0);
-    const sim::TriangleSurface again = geometry::closed_surface(closed);
+    const geometry::TriangleSurface again = geometry::closed_surface(closed);
     fuzz::require(again.triangles.size() == closed.triangles.size());
     fuzz::require(geometry::inner_shells(again) == geometry::inner_shells(closed));
   } catch (const geometry::MeshError&) {
