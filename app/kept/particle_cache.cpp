@@ -50,18 +50,6 @@ std::string text_of(const Label& label) {
   return {label.simulation.begin(), end};
 }
 
-/// The arrays of a frame in their order in the file; f takes a vector of numbers or of vectors.
-template <class Frame, class F>
-void for_each_array(Frame& frame, F f) {
-  f(frame.positions);
-  f(frame.velocities);
-  f(frame.densities);
-  f(frame.pressures);
-  f(frame.multipliers);
-  f(frame.ids);
-  f(frame.boundary_pressures);
-}
-
 template <class T>
 T read_one(CheckedReader& in) {
   T value;
@@ -110,17 +98,20 @@ KeptFrame ParticleCache::read(int number) const {
   frame.time = header.time;
   frame.last_time_step = header.last_time_step;
   frame.allowed_time_step = header.allowed_time_step;
-  const std::uint64_t per_particle = 2 * sizeof(glm::vec3) + 4 * sizeof(float);
+  std::uint64_t per_particle = 0;
+  sim::Frame::for_each_of_particles(frame,
+                                    [&](const auto& array) { per_particle += sizeof array[0]; });
   const std::uint64_t size = in.remaining();
   if (header.particles > size || header.boundary_samples > size ||
       size != header.particles * per_particle + header.boundary_samples * sizeof(float))
     in.fail();
-  for_each_array(frame, [&](auto& array) {
-    const bool boundary =
-        static_cast<void*>(&array) == static_cast<void*>(&frame.boundary_pressures);
-    array.resize(boundary ? header.boundary_samples : header.particles);
+  const auto read_array = [&](auto& array, std::uint64_t count) {
+    array.resize(count);
     in.read(std::as_writable_bytes(std::span(array)));
-  });
+  };
+  sim::Frame::for_each_of_particles(frame,
+                                    [&](auto& array) { read_array(array, header.particles); });
+  read_array(frame.boundary_pressures, header.boundary_samples);
   in.finish();
   return kept;
 }
@@ -141,7 +132,9 @@ void ParticleCache::write(int number, const KeptFrame& kept) const {
                       .allowed_time_step = frame.allowed_time_step,
                       .statistics = kept.statistics};
   out.write(std::as_bytes(std::span(&header, 1)));
-  for_each_array(frame, [&](const auto& array) { out.write(std::as_bytes(std::span(array))); });
+  const auto write_array = [&](const auto& array) { out.write(std::as_bytes(std::span(array))); };
+  sim::Frame::for_each_of_particles(frame, write_array);
+  write_array(frame.boundary_pressures);
   out.commit();
 }
 

@@ -3,23 +3,33 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-float* elements(ScalarField& field) {
-  return field.data();
-}
-PointRow* elements(PointField& field) {
-  return field.view().rows;
-}
+/// What brings the particles' fields into a new order, each by way of memory that is free.
+struct Reordering {
+  Executor& executor;
+  Particles& particles;
+  CellGrid& grid;
 
-/// Brings a field into a new order, by way of another.
-template <class Field>
-void permute(Executor& executor, const std::uint32_t* order, std::uint32_t n, Field& field,
-             Field& scratch) {
-  const auto* from = elements(field);
-  auto* to = elements(scratch);
-  executor.for_each("reorder one field", n,
-                    [=] SPINDRIFT_HD(std::uint32_t i) { to[i] = from[order[i]]; });
-  field.swap(scratch);
-}
+  void operator()(ScalarField& field) const {
+    permute(field.data(), particles.spare().data());
+    field.swap(particles.spare());
+  }
+  void operator()(VectorField& field) const {
+    for (int c = 0; c < 3; ++c)
+      (*this)(field.component(c));
+  }
+  void operator()(PointField& field) const {
+    permute(field.view().rows, particles.spare_points().view().rows);
+    field.swap(particles.spare_points());
+  }
+  void operator()(IdField& field) const { grid.permute(field.array()); }
+
+  template <class T>
+  void permute(const T* from, T* to) const {
+    const std::uint32_t* order = grid.order().data();
+    executor.for_each("reorder one field", particles.count,
+                      [=] SPINDRIFT_HD(std::uint32_t i) { to[i] = from[order[i]]; });
+  }
+};
 
 }  // namespace
 
@@ -33,8 +43,11 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
 
   const PhaseClock::Scope timed(executor.clock(), "neighbour lists");
   const PointView points = particles.drifted_position.view();
+  float* held = particles.held.empty() ? nullptr : particles.held.data();
   executor.for_each("sentinel", 1, [=] SPINDRIFT_HD(std::uint32_t) {
     points.set(n, {sentinel_position, sentinel_position, sentinel_position});
+    if (held != nullptr)
+      held[n] = 0;
   });
   fluid_.build(map_, grid_, points, n, grid_, points, n, radius);
   boundary_lists_.build(map_, grid_, points, n, boundary_.grid(), boundary_.positions(),
@@ -54,21 +67,12 @@ void Neighbourhood::update(Executor& executor, Particles& particles, float radiu
 }
 
 void Neighbourhood::reorder(Executor& executor, Particles& particles) {
-  const std::uint32_t n = particles.count;
-  const std::uint32_t* order = grid_.order().data();
   const PhaseClock::Scope timed(executor.clock(), "reorder");
-  // Density ratios and corrected positions are of the last step, and nobody's any more.
-  ScalarField& scratch = particles.density_ratio;
-  for (PointField* field : {&particles.drifted_position, &particles.drifted_velocity})
-    permute(executor, order, n, *field, particles.corrected_position);
-  for (VectorField* field : {&particles.position, &particles.velocity})
-    for (int c = 0; c < 3; ++c)
-      permute(executor, order, n, field->component(c), scratch);
-  permute(executor, order, n, particles.pressure, scratch);
-  for (ScalarField* field : {&particles.compression, &particles.mean_pressure})
-    if (!field->empty())
-      permute(executor, order, n, *field, scratch);
-  grid_.permute(particles.ids);
+  const Reordering reorder{executor, particles, grid_};
+  particles.for_each_field([&](const auto& info, auto& field) {
+    if (info.lifetime != Lifetime::scratch)
+      reorder(field);
+  });
 }
 
 std::size_t Neighbourhood::memory_bytes() const {

@@ -40,8 +40,20 @@ struct Frame {
   std::vector<std::uint32_t> ids;  ///< the particle's number, never another's: in the initial
                                    ///< lattice, then in the order of coming in
   std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa
-  double last_time_step = 0;              ///< of the step that ended here, s; 0 at the start
-  double allowed_time_step = 0;           ///< what that could have been had it not to end here, s
+
+  /// Calls f(array) for each array of a frame that has a value per particle, in a fixed order.
+  template <class AnyFrame, class F>
+  static void for_each_of_particles(AnyFrame& frame, F f) {
+    f(frame.positions);
+    f(frame.velocities);
+    f(frame.densities);
+    f(frame.pressures);
+    f(frame.multipliers);
+    f(frame.ids);
+  }
+
+  double last_time_step = 0;     ///< of the step that ended here, s; 0 at the start
+  double allowed_time_step = 0;  ///< what that could have been had it not to end here, s
 };
 
 /// What happened between two frames, and the error measured at the second one.

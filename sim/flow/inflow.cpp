@@ -137,10 +137,11 @@ void Inflow::open_walls(Executor& executor, Walls& walls, double time) {
   }
 }
 
-void Inflow::resume(Executor& executor, Walls& walls, double time) {
+void Inflow::resume(Executor& executor, Particles& particles, Walls& walls, double time) {
   for (std::size_t n = 0; n < nozzles_.size(); ++n)
     entered_[n] = nozzles_[n].entered(time + instant);
   note_held_layers(time);
+  mark(executor, particles);
   open_walls(executor, walls, time);
 }
 
@@ -171,15 +172,15 @@ HeldLayersView Inflow::layers_at(double time) {
   return this->layers();
 }
 
-void Inflow::mark(Executor& executor, const Particles& particles) {
-  if (held_layers_.empty())
+void Inflow::mark(Executor& executor, Particles& particles) {
+  if (held_layers_.empty() && particles.held.empty())
     return;
   const std::uint32_t n = particles.count;
-  float* held = held_.resized(n);
+  float* held = particles.held.resized(n);
   const HeldLayersView layers = this->layers();
   const std::uint32_t* ids = particles.ids.data();
-  executor.for_each("carry inflow", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
-    held[i] = i < n && layers.of(ids[i]) != nullptr ? 1.f : 0.f;
+  executor.for_each("carry inflow", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    held[i] = layers.of(ids[i]) != nullptr ? 1.f : 0.f;
   });
 }
 
@@ -203,7 +204,7 @@ void Inflow::allow(const StepContext& s, float* excess) const {
     return;
   const CubicKernel kernel(s.constants.support_radius);
   const PointView x = s.particles.drifted_position.view();
-  const float* held = held_.data();
+  const float* held = s.held;
   const StepView step = s.view();
   s.executor.for_each("carry inflow", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     if (held[i] > 0)
@@ -308,6 +309,7 @@ Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls,
   Exchange exchange;
   for (const Layer& l : entering)
     exchange += bring(executor, particles, l, time);
+  mark(executor, particles);
   open_walls(executor, walls, time);
   return exchange;
 }

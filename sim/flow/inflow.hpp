@@ -58,14 +58,14 @@ class Inflow {
   /// Finds out which samples of walls and obstacles the nozzles open.
   void attach(Walls& walls);
   /// Goes on from a time at which all that had come in by then is there.
-  void resume(Executor& executor, Walls& walls, double time);
+  void resume(Executor& executor, Particles& particles, Walls& walls, double time);
 
-  /// Notes which of the particles, in their present order, are in a nozzle.
-  void mark(Executor& executor, const Particles& particles);
   /// Whether the last exchange brought particles close to others, or changed a wall at once.
   bool disturbs() const { return disturbs_; }
-  /// 1 for each of those, 0 for others; null where there are none.
-  const float* held() const { return held_layers_.empty() ? nullptr : held_.data(); }
+  /// 1 for each particle that is in a nozzle, 0 for others; null where none is.
+  const float* held(const Particles& particles) const {
+    return held_layers_.empty() ? nullptr : particles.held.data();
+  }
   /// Puts them where they are at a time, as drifted.
   void carry(Executor& executor, Particles& particles, double time);
   /// Compression of particles in the nozzle that comes from walls and each other is left as it is.
@@ -82,6 +82,8 @@ class Inflow {
   void release(Executor& executor, Particles& particles, double time, double last_step,
                const Vec3<float>& acceleration);
   void open_walls(Executor& executor, Walls& walls, double time);
+  /// Notes which particles are in a nozzle.
+  void mark(Executor& executor, Particles& particles);
   /// Particles in a box, but for those in a nozzle, m.
   std::vector<glm::vec3> in_the_place_of(Executor& executor, Particles& particles,
                                          std::uint32_t nozzle, const Box& place);
@@ -122,7 +124,6 @@ class Inflow {
   std::vector<std::int64_t> entered_;  ///< layers of each nozzle that have been brought
   std::vector<Layer> held_layers_;     ///< by their first number
   std::vector<Opening> openings_;      ///< of the nozzles, in walls
-  ScalarField held_;
   bool disturbs_ = false;
   std::vector<Array<glm::vec3>> points_;  ///< in each nozzle's opening, m
   Array<HeldLayer> layers_;               ///< those of held_layers_

@@ -37,7 +37,7 @@ bool SurfaceTension::apply(const StepContext& s) {
   gradient_.resize(n);
   view_.gradient = gradient_.view();
   const PointView x = p.drifted_position.view();
-  const Vec3Arrays dv = p.acceleration.view();
+  const Vec3Arrays dv = p.velocity_change().view();
   const StepView step = s.view();
   const TensionView view = view_;
   const float kick = s.kick;

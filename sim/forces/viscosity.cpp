@@ -49,7 +49,7 @@ bool Viscosity::apply(const StepContext& s) {
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
   const PointView v = p.drifted_velocity.view();
-  const Vec3Arrays dv = p.acceleration.view();
+  const Vec3Arrays dv = p.velocity_change().view();
   const StepView step = s.view();
   const DiffusionKernel kernel = kernel_;
   const float dt = s.time_step;
@@ -72,8 +72,8 @@ void Viscosity::implicit_step(const StepContext& s) {
   const std::uint32_t n = p.count;
   residual_.resize(n);
   image_.resize(n);
-  const Vec3Arrays dv = p.acceleration.view(), r = residual_.view(), image = image_.view();
-  const PointView direction = p.corrected_position.view();
+  const Vec3Arrays dv = p.velocity_change().view(), r = residual_.view(), image = image_.view();
+  const PointView direction = p.search_direction().view();
   explicit_step(s);
   StepView step = s.view();
   step.boundary.velocity = {};  // a change of velocity does not meet the walls' own

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string_view>
+#include <tuple>
 
 #include "sim/backend/backend.hpp"
 #include "sim/core/from_glm.hpp"
@@ -20,27 +22,33 @@ void resize_with_room(Array<T>& values, std::uint32_t n) {
   values.resize(size, T{});
 }
 
-/// A resizable array of floats with room for the sentinel and one whole batch beyond its end.
-class ScalarField {
+/// A resizable array of numbers with room for the sentinel and one whole batch beyond its end.
+template <class T>
+class NumberField {
  public:
   void resize(std::uint32_t n) { resize_with_room(values_, n); }
-  float* data() { return values_.data(); }
-  const float* data() const { return values_.data(); }
+  T* data() { return values_.data(); }
+  const T* data() const { return values_.data(); }
   /// The data of n elements; those that were there keep their values.
-  float* resized(std::uint32_t n) {
+  T* resized(std::uint32_t n) {
     resize(n);
     return data();
   }
   bool empty() const { return values_.empty(); }
-  float& operator[](std::uint32_t i) { return values_[i]; }
-  float operator[](std::uint32_t i) const { return values_[i]; }
-  void fill(float value) { set_all(values_, value); }
-  void swap(ScalarField& other) { values_.swap(other.values_); }
-  std::size_t memory_bytes() const { return values_.capacity() * sizeof(float); }
+  T& operator[](std::uint32_t i) { return values_[i]; }
+  T operator[](std::uint32_t i) const { return values_[i]; }
+  void fill(T value) { set_all(values_, value); }
+  void swap(NumberField& other) { values_.swap(other.values_); }
+  /// As the backend has it, for what is done to arrays as a whole.
+  Array<T>& array() { return values_; }
+  std::size_t memory_bytes() const { return values_.capacity() * sizeof(T); }
 
  private:
-  Array<float> values_;
+  Array<T> values_;
 };
+
+using ScalarField = NumberField<float>;
+using IdField = NumberField<std::uint32_t>;
 
 /// One vector per particle, as three arrays.
 class VectorField {
@@ -53,6 +61,7 @@ class VectorField {
     return {components_[0].data(), components_[1].data(), components_[2].data()};
   }
   ScalarField& component(int c) { return components_[c]; }
+  bool empty() const { return components_[0].empty(); }
   void fill(float value) {
     for (ScalarField& c : components_)
       c.fill(value);
@@ -70,6 +79,7 @@ class VectorField {
 class PointField {
  public:
   void resize(std::uint32_t n) { resize_with_room(rows_, n); }
+  bool empty() const { return rows_.empty(); }
   PointView view() { return {rows_.data()}; }
   glm::vec3 at(std::uint32_t i) const { return {rows_[i].x, rows_[i].y, rows_[i].z}; }
   float value(std::uint32_t i) const { return rows_[i].value; }
@@ -81,48 +91,113 @@ class PointField {
   Array<PointRow> rows_;
 };
 
-/// State that lasts from step to step, and what a step needs besides.
+/// How long a particle's value means something.
+enum class Lifetime {
+  state,    ///< from step to step: it comes and goes with its particle, and whichever way particles
+            ///< are sorted it stays theirs
+  step,     ///< from the drift to the end of the step, through the sort between them
+  scratch,  ///< from where it is made until particles are sorted or measured again
+};
+
+/// One of the particles' fields.
+template <class Field>
+struct FieldOfParticles {
+  std::string_view name, unit, meaning;
+  Lifetime lifetime;
+  Field member;           ///< in Particles
+  bool optional = false;  ///< empty where no part of the scene needs it
+};
+template <class Field>
+FieldOfParticles(std::string_view, std::string_view, std::string_view, Lifetime, Field,
+                 bool = false) -> FieldOfParticles<Field>;
+
+/// All particles of the liquid. Whatever is done to all fields is driven by the list of them.
 struct Particles {
   std::uint32_t count = 0;
 
-  // State at the current time. A step that is rejected leaves it as it was, but for the order.
-  VectorField position;      ///< m
-  VectorField velocity;      ///< m/s, over the last step (leapfrog: at the middle of that step)
-  ScalarField pressure;      ///< Pa, of the last step
-  Array<std::uint32_t> ids;  ///< never used twice
-  /// ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there is pressure. Only
-  /// with a solver that corrects it; empty else.
+  VectorField position, velocity;
+  ScalarField pressure;
+  IdField ids;
+  ScalarField held;
   ScalarField compression;
-  /// At a frame the mechanical pressure, Pa, the mean over the time since the last one; between
-  /// frames the sum of pressure times time since then, Pa·s. Empty before the first step.
   ScalarField mean_pressure;
-
-  // Within a step.
-  /// Where particles are about to be, but for pressure, m; with the iterate of this step's
-  /// pressure, Pa.
-  PointField drifted_position;
-  PointField drifted_velocity;  ///< with all but pressure, m/s
-  VectorField acceleration;     ///< viscous, then by pressure, m/s²
-  /// With pressure, m; with the pressure that eases positions, Pa, or another that is summed up.
+  PointField drifted_position, drifted_velocity;
   PointField corrected_position;
-  ScalarField density_ratio;  ///< ρ/ρ₀
-  ScalarField excess;         ///< compression that this step may leave as it is
+  VectorField acceleration;
+  ScalarField density_ratio;
+  ScalarField excess;
+
+  static constexpr auto fields = std::tuple{
+      FieldOfParticles{"position", "m", "where it is", Lifetime::state, &Particles::position},
+      FieldOfParticles{"velocity", "m/s",
+                       "over the last step (leapfrog: at the middle of that step)", Lifetime::state,
+                       &Particles::velocity},
+      FieldOfParticles{"pressure", "Pa", "what stands for it in the equations of the last step",
+                       Lifetime::state, &Particles::pressure},
+      FieldOfParticles{"ids", "1", "its number, never used twice", Lifetime::state,
+                       &Particles::ids},
+      FieldOfParticles{"held", "1", "1: a nozzle moves it, and nothing else; 0: it is free",
+                       Lifetime::state, &Particles::held, true},
+      FieldOfParticles{"compression", "1",
+                       "ρ/ρ₀ − 1 that the last step left over: above zero, or below it where there "
+                       "is pressure; of solvers that correct it",
+                       Lifetime::state, &Particles::compression, true},
+      FieldOfParticles{"mean_pressure", "Pa s",
+                       "sum of pressure times time since the last frame; at a frame the mechanical "
+                       "pressure, Pa, the mean over that time",
+                       Lifetime::state, &Particles::mean_pressure, true},
+      FieldOfParticles{"drifted_position", "m, Pa",
+                       "where it is about to be, but for pressure; with the iterate of this step's "
+                       "pressure",
+                       Lifetime::step, &Particles::drifted_position},
+      FieldOfParticles{"drifted_velocity", "m/s", "with all but pressure", Lifetime::step,
+                       &Particles::drifted_velocity},
+      FieldOfParticles{"corrected_position", "m, Pa",
+                       "with pressure; with the pressure that eases positions, or another that is "
+                       "summed up",
+                       Lifetime::scratch, &Particles::corrected_position},
+      FieldOfParticles{"acceleration", "m/s²", "by pressure", Lifetime::scratch,
+                       &Particles::acceleration},
+      FieldOfParticles{"density_ratio", "1", "ρ/ρ₀", Lifetime::scratch, &Particles::density_ratio},
+      FieldOfParticles{"excess", "1", "compression that this step may leave as it is",
+                       Lifetime::scratch, &Particles::excess, true}};
+
+  // The same memory under the names of what else stands in it, at other times of a step.
+  /// By one force, m/s, before pressure has been looked for.
+  VectorField& velocity_change() { return acceleration; }
+  /// Of the viscous velocity changes that are looked for, m/s, before pressure has been.
+  PointField& search_direction() { return corrected_position; }
+  /// ρ/ρ₀ where positions have been eased to, after the step.
+  ScalarField& eased_density_ratio() { return excess; }
+  /// What brings a number per particle into another order.
+  ScalarField& spare() { return density_ratio; }
+  /// The same for points.
+  PointField& spare_points() { return corrected_position; }
+
+  /// Calls f(field of the list, this object's) for those that are there: all but optional ones that
+  /// are empty.
+  template <class F>
+  void for_each_field(F f) {
+    std::apply(
+        [&](const auto&... field) {
+          const auto visit = [&](const auto& one) {
+            if (!one.optional || !(this->*one.member).empty())
+              f(one, this->*one.member);
+          };
+          (visit(field), ...);
+        },
+        fields);
+  }
 
   void resize(std::uint32_t n) {
     count = n;
-    for (VectorField* f : {&position, &velocity, &acceleration})
-      f->resize(n);
-    for (PointField* f : {&drifted_position, &drifted_velocity, &corrected_position})
-      f->resize(n);
-    for (ScalarField* f : {&pressure, &density_ratio})
-      f->resize(n);
-    ids.resize(n);
+    for_each_field([n](const auto&, auto& field) { field.resize(n); });
   }
 
   std::size_t memory_bytes() const {
-    return 3 * position.memory_bytes() + 3 * drifted_position.memory_bytes() +
-           2 * pressure.memory_bytes() + compression.memory_bytes() + mean_pressure.memory_bytes() +
-           excess.memory_bytes() + ids.capacity() * sizeof(std::uint32_t);
+    return std::apply(
+        [this](const auto&... field) { return ((this->*field.member).memory_bytes() + ...); },
+        fields);
   }
 };
 

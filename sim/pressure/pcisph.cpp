@@ -344,7 +344,7 @@ class Pcisph : public PressureSolver {
     Particles& p = s.particles;
     const PointView moved = p.drifted_position.view(), corrected = p.corrected_position.view();
     const Vec3Arrays x = p.position.view();
-    float *ratio = p.density_ratio.data(), *moved_ratio = p.excess.data();
+    float *ratio = p.density_ratio.data(), *moved_ratio = p.eased_density_ratio().data();
     const float* pressure = p.pressure.data();
     const StepView step = s.view();
     const CubicKernel kernel = density_kernel_;

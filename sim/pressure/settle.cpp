@@ -66,7 +66,7 @@ struct Settling {
   Executor& executor;
   Particles& particles;
   Neighbourhood& neighbourhood;
-  Inflow& inflow;
+  const Inflow& inflow;
   const FluidConstants& constants;
   const SolverSettings& settings;
   const GridMap& map;
@@ -93,7 +93,6 @@ struct Settling {
     executor.for_each("settle", particles.count,
                       [=] SPINDRIFT_HD(std::uint32_t i) { at.set(i, x[i]); });
     neighbourhood.update(executor, particles, radius);
-    inflow.mark(executor, particles);
   }
 
   Compression compression() {
@@ -103,7 +102,7 @@ struct Settling {
     const NeighbourView neighbours = neighbourhood.fluid();
     const BoundaryView solid = neighbourhood.boundary();
     float* above = particles.compression.resized(particles.count);
-    const float* held = inflow.held();
+    const float* held = inflow.held(particles);
     const FluidConstants c = constants;
     const auto measure_one = [=] SPINDRIFT_HD(std::uint32_t i) {
       above[i] = is_held(held, i)
@@ -119,7 +118,7 @@ struct Settling {
     find_neighbours();
     const Vec3Arrays x = particles.position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
-    const float* held = inflow.held();
+    const float* held = inflow.held(particles);
     const std::uint32_t n = particles.count;
     const ContactView walls = contact;
     const float distance = 0.5f * constants.spacing;
@@ -135,7 +134,7 @@ struct Settling {
     const PointView at = particles.drifted_position.view();
     const NeighbourView neighbours = neighbourhood.fluid();
     const float near = same_place * constants.spacing;
-    const float* held = inflow.held();
+    const float* held = inflow.held(particles);
     const ContactView walls = contact;
     const std::uint32_t* ids = particles.ids.data();
     executor.for_each("settle", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
@@ -170,7 +169,7 @@ struct Settling {
                                                .grid = neighbourhood.grid(),
                                                .map = &map,
                                                .contact = contact,
-                                               .held = inflow.held(),
+                                               .held = inflow.held(particles),
                                                .time_step = settings.max_time_step,
                                                .refusals = refusals,
                                                .kick = settings.max_time_step,
@@ -189,7 +188,7 @@ struct Settling {
 
 }  // namespace
 
-int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, Inflow& inflow,
+int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, const Inflow& inflow,
            const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
            const ContactView& contact, float radius) {
   return Settling{executor, particles, neighbourhood, inflow, constants,

@@ -142,7 +142,6 @@ struct Run final : Engine {
 
   void find_neighbours() {
     neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
-    inflow.mark(executor, particles);
   }
 
   StepContext context_of(double dt, int refusals, const float* excess) {
@@ -154,7 +153,7 @@ struct Run final : Engine {
             .grid = neighbourhood.grid(),
             .map = &map,
             .contact = walls.contact(),
-            .held = inflow.held(),
+            .held = inflow.held(particles),
             .time_step = static_cast<float>(dt),
             .refusals = refusals,
             .kick = kick(dt),
@@ -215,8 +214,7 @@ struct Run final : Engine {
     const PointView drifted_x = particles.drifted_position.view(),
                     drifted_v = particles.drifted_velocity.view();
     const ContactView contact = walls.contact();
-    inflow.mark(executor, particles);
-    const float* carried = inflow.held();
+    const float* carried = inflow.held(particles);
     const Moved motion =
         executor.reduce<Moved>("drift", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
           const Vec3<float> velocity = v[i] + dv;
@@ -281,7 +279,7 @@ struct Run final : Engine {
   void exchange_particles() {
     if (!inflow.exists() && !outflow.exists())
       return;
-    exchange += outflow.apply(executor, particles, inflow.held());
+    exchange += outflow.apply(executor, particles, inflow.held(particles));
     exchange += inflow.advance(executor, particles, walls, time, time_step.last(),
                                body_acceleration(settings.forces, time));
     if (inflow.disturbs())
@@ -293,7 +291,7 @@ struct Run final : Engine {
   void note_leftover(PointField& position) {
     if (corrects_density())
       leftover.note(executor, particles, position.view(), neighbourhood.boundary(), constants,
-                    inflow.held());
+                    inflow.held(particles));
   }
 
   /// Measures particles as they are given, or where others have come close to them.
@@ -309,7 +307,6 @@ struct Run final : Engine {
     const Measured m =
         SPINDRIFT_BACKEND::measure(executor, particles, neighbourhood, constants, settings,
                                    list_radius_factor * constants.support_radius);
-    inflow.mark(executor, particles);
     // The same number for a run in one piece and one that goes on from here.
     mean_pressure = m.rms_pressure;
     statistics.mean_compression = m.mean_compression;
@@ -411,7 +408,7 @@ struct Run final : Engine {
     time_step.resume(start.last_time_step, start.allowed_time_step);
     creep.reset();
     has_settled = true;
-    inflow.resume(executor, walls, start.time);
+    inflow.resume(executor, particles, walls, start.time);
     measure_start();
   }
 

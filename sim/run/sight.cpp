@@ -72,11 +72,7 @@ Frame in_sight(const Settings& settings, Frame frame) {
       seen.push_back(static_cast<std::uint32_t>(i));
   if (seen.size() == frame.positions.size())
     return frame;
-  leave(frame.positions, seen);
-  leave(frame.velocities, seen);
-  for (std::vector<float>* values : {&frame.densities, &frame.pressures, &frame.multipliers})
-    leave(*values, seen);
-  leave(frame.ids, seen);
+  Frame::for_each_of_particles(frame, [&](auto& values) { leave(values, seen); });
   return frame;
 }
 
