@@ -5,6 +5,7 @@
 set -uo pipefail
 program=$(readlink -f "$1")
 folder=$(mktemp -d)
+# shellcheck source=tests/cli/browser.sh
 . "$(dirname "$0")/browser.sh"
 
 names=('{{data}}' '{{#pairs}}' '<img src=x onerror=window.hit=1>' '"><svg onload=window.hit=1>' '<!--' 'a&lt;b'

@@ -42,6 +42,7 @@ cat >"$folder/moving.json" <<JSON
 JSON
 scenes=(plain exporting emitter moving)
 looks=(plain green)
+# shellcheck disable=SC2034  # named by what "looks" holds
 plain_look=()
 green_look=(--set 'look.liquid_color=[0.2,0.7,0.3]')
 
@@ -84,7 +85,7 @@ same_files() {
 
 # The folder's files are those of the scene that run.json names.
 check_folder() {
-  local look found= length video
+  local look found='' length video
   run=$folder/run/$scene
   local kept
   for kept in "$run"/particles/*/[0-9]*; do
@@ -170,7 +171,7 @@ choose() {
 # Whole, undisturbed: the bytes of a run that nothing happened to.
 check_end() {
   local whole=$folder/reference/$scene/plain$frames extra=() part
-  [[ $scene == exporting ]] && extra=(--export meshes,particles)
+  [[ $scene == exporting ]] && extra=(--export "meshes,particles")
   (run 0 render "${extra[@]}") || fail "the last run returned $?"
   check_folder
   grep -q '"complete": true' "$run/run.json" || fail "the last run is not complete"

@@ -11,8 +11,8 @@ fail() { echo "FAILED: $*"; cat "$folder/err" 2>/dev/null; exit 1; }
 
 small=(scenes/small_dam_break.json --set fluid.spacing=0.06 --set video.duration=0.3 --set video.width=160
        --set video.height=96 --set probes_rate=100)
-varied=("${small[@]}" --set fluid.viscosity=0.1,2,20 --set surface.smoothing=0,5,30)
-grid=("${varied[@]}" --reference viscosity=2,smoothing=5 --target gauge_m=0.41 --threads 2)
+varied=("${small[@]}" --set "fluid.viscosity=0.1,2,20" --set "surface.smoothing=0,5,30")
+grid=("${varied[@]}" --reference "viscosity=2,smoothing=5" --target gauge_m=0.41 --threads 2)
 sweep() { "$program" sweep "$@" >"$folder/out" 2>"$folder/err" </dev/null; }
 children_of() { cat /proc/"$1"/task/*/children 2>/dev/null; }
 count() { find "$1" -name "$2" 2>/dev/null | wc -l; }
@@ -147,7 +147,7 @@ grep -q "viscosity=1 failed: .*signal 9" "$folder/err" || fail "it did not say w
 [[ -s $folder/dying/runs/viscosity=2/video.mp4 ]] || fail "the run after the one that died was not done"
 
 # Ended by force in the middle of a simulation: its process ends as well. Then the same by Ctrl-C.
-long=("${small[@]}" --set fluid.viscosity=1,3 --set video.duration=6 -o "$folder/interrupted")
+long=("${small[@]}" --set "fluid.viscosity=1,3" --set video.duration=6 -o "$folder/interrupted")
 begin_long() {
   local before
   before=$(count "$folder/interrupted/simulations" '*.particles')

@@ -5,6 +5,7 @@
 set -uo pipefail
 program=$(readlink -f "$1")
 folder=$(mktemp -d)
+# shellcheck source=tests/cli/browser.sh
 . "$(dirname "$0")/browser.sh"
 
 "$program" sweep scenes/small_dam_break.json --set fluid.spacing=0.06 --set video.duration=0.4 --set video.width=160 \
