@@ -199,21 +199,6 @@ void Inflow::carry(Executor& executor, Particles& particles, double time) {
   });
 }
 
-void Inflow::allow(const StepContext& s, float* excess) const {
-  if (held_layers_.empty() || excess == nullptr)
-    return;
-  const CubicKernel kernel(s.constants.support_radius);
-  const PointView x = s.particles.drifted_position.view();
-  const float* held = s.held;
-  const StepView step = s.view();
-  s.executor.for_each("carry inflow", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-    if (held[i] > 0)
-      excess[i] = std::max(0.f, carried_density_ratio(i, step.constants, kernel, x, held,
-                                                      step.neighbours, step.boundary) -
-                                    1.f);
-  });
-}
-
 /// Free fall from the opening on, to this time and for the velocity to the middle of the last step.
 void Inflow::release(Executor& executor, Particles& particles, double time, double last_step,
                      const Vec3<float>& acceleration) {

@@ -68,8 +68,6 @@ class Inflow {
   }
   /// Puts them where they are at a time, as drifted.
   void carry(Executor& executor, Particles& particles, double time);
-  /// Compression of particles in the nozzle that comes from walls and each other is left as it is.
-  void allow(const StepContext& step, float* excess) const;
 
   /// At the end of a step: lets go what has left the nozzles, and brings what came into them.
   /// @param last_step    its length, s

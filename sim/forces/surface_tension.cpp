@@ -28,7 +28,14 @@ TensionView view_of(const FluidConstants& c) {
 
 }  // namespace
 
-SurfaceTension::SurfaceTension(const FluidConstants& constants) : view_(view_of(constants)) {}
+SurfaceTension::SurfaceTension(const FluidConstants& c)
+    : time_step_limit_(
+          0.3f * std::sqrt(c.rest_density * c.spacing * c.spacing * c.spacing / c.surface_tension)),
+      view_(view_of(c)) {}
+
+std::unique_ptr<Force> make_surface_tension(const Settings&, const FluidConstants& constants) {
+  return constants.surface_tension > 0 ? std::make_unique<SurfaceTension>(constants) : nullptr;
+}
 
 bool SurfaceTension::apply(const StepContext& s) {
   Particles& p = s.particles;
@@ -52,11 +59,6 @@ bool SurfaceTension::apply(const StepContext& s) {
                   : kick * tension_acceleration(i, view, x, step.neighbours, step.boundary));
   });
   return change_velocities(s, "apply surface tension");
-}
-
-float SurfaceTension::time_step_limit(const FluidConstants& c) {
-  const float d = c.spacing;
-  return 0.3f * std::sqrt(c.rest_density * d * d * d / c.surface_tension);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

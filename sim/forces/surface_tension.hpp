@@ -19,7 +19,7 @@
 #include <cmath>
 
 #include "sim/core/lattice.hpp"
-#include "sim/step/solver.hpp"
+#include "sim/forces/force.hpp"
 
 namespace spindrift::sim {
 
@@ -123,7 +123,7 @@ SPINDRIFT_HD inline Vec3<float> tension_acceleration(std::uint32_t i, const Tens
   return tension.factor * (liquid + walls);
 }
 
-class SurfaceTension {
+class SurfaceTension : public Force {
  public:
   /// α and β, which make σ the tension that is measured, in a drop's pressure and its oscillation:
   /// plain numbers, the same at every spacing.
@@ -131,20 +131,25 @@ class SurfaceTension {
 
   explicit SurfaceTension(const FluidConstants& constants);
 
-  /// Changes the drifted velocities and positions. Returns true if it moved a particle so far that
-  /// its neighbours are no longer those that are listed.
-  bool apply(const StepContext& s);
+  bool apply(const StepContext& s) override;
 
-  /// Largest time step, s: a part of the time in which the shortest capillary waves turn around.
-  static float time_step_limit(const FluidConstants& constants);
+  /// A part of the time in which the shortest capillary waves turn around.
+  float time_step_limit() const override { return time_step_limit_; }
 
-  std::size_t memory_bytes() const { return lack_.memory_bytes() + gradient_.memory_bytes(); }
+  std::size_t memory_bytes() const override {
+    return lack_.memory_bytes() + gradient_.memory_bytes();
+  }
 
  private:
+  float time_step_limit_;  ///< s
   TensionView view_;
   ScalarField lack_;      ///< q
   VectorField gradient_;  ///< d ∇c
 };
+
+/// None where the liquid has none.
+std::unique_ptr<Force> make_surface_tension(const Settings& settings,
+                                            const FluidConstants& constants);
 
 }  // namespace SPINDRIFT_BACKEND
 }  // namespace spindrift::sim

@@ -30,7 +30,22 @@ SPINDRIFT_HD Vec3<float> free_acceleration(std::uint32_t i, const StepView& step
                                                 step.neighbours, step.boundary);
 }
 
+/// With which any wall or obstacle holds the liquid back at most, Pa·s.
+float largest_wall_viscosity(const Settings& settings) {
+  float largest = settings.fluid.wall_viscosity;
+  for (const Obstacle& obstacle : settings.obstacles)
+    largest = std::max(largest, obstacle.wall_viscosity.value_or(0));
+  return largest;
+}
+
 }  // namespace
+
+std::unique_ptr<Force> make_viscosity(const Settings& settings, const FluidConstants& constants) {
+  const float of_walls = largest_wall_viscosity(settings);
+  if (!(constants.viscosity > 0) && !(of_walls > 0))
+    return nullptr;
+  return std::make_unique<Viscosity>(constants, of_walls);
+}
 
 Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
     : support_radius_(constants.support_radius),
@@ -45,7 +60,7 @@ bool Viscosity::apply(const StepContext& s) {
   return change_velocities(s, "apply viscosity");
 }
 
-/// Leaves the change of velocity in `acceleration`.
+/// Leaves the changes of velocity.
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
   const PointView v = p.drifted_velocity.view();

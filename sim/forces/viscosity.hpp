@@ -3,24 +3,24 @@
 #pragma once
 
 #include "sim/core/conjugate_gradients.hpp"
-#include "sim/step/solver.hpp"
+#include "sim/forces/force.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-class Viscosity {
+class Viscosity : public Force {
  public:
   /// @param wall_viscosity the largest of any wall, Pa·s
   Viscosity(const FluidConstants& constants, float wall_viscosity);
 
-  /// Changes the drifted velocities and positions. Returns true if it moved a particle so far that
-  /// its neighbours are no longer those that are listed.
-  bool apply(const StepContext& s);
+  bool apply(const StepContext& s) override;
 
   // The two ways to do it; public since CUDA has no loops in private functions.
   void explicit_step(const StepContext& s);
   void implicit_step(const StepContext& s);
 
-  std::size_t memory_bytes() const { return residual_.memory_bytes() + image_.memory_bytes(); }
+  std::size_t memory_bytes() const override {
+    return residual_.memory_bytes() + image_.memory_bytes();
+  }
 
  private:
   float support_radius_;  ///< H, m
@@ -30,5 +30,8 @@ class Viscosity {
   VectorField residual_, image_;
   Kept<ConjugateGradients> iteration_;
 };
+
+/// None where neither the liquid nor any wall holds it back.
+std::unique_ptr<Force> make_viscosity(const Settings& settings, const FluidConstants& constants);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

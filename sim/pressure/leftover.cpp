@@ -23,52 +23,68 @@ SPINDRIFT_HD float counted(float density_ratio, float pressure, float most) {
   return std::max(density_ratio - 1, pressure > 0 ? -most : 0.f);
 }
 
+/// Of particles in a nozzle, what comes from walls and each other.
+void allow_in_nozzles(const StepContext& s, float* excess) {
+  if (s.held == nullptr)
+    return;
+  const CubicKernel kernel(s.constants.support_radius);
+  const PointView x = s.particles.drifted_position.view();
+  const float* held = s.held;
+  const StepView step = s.view();
+  s.executor.for_each("carry inflow", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    if (held[i] > 0)
+      excess[i] = std::max(0.f, carried_density_ratio(i, step.constants, kernel, x, held,
+                                                      step.neighbours, step.boundary) -
+                                    1.f);
+  });
+}
+
 }  // namespace
 
-void Leftover::note(Executor& executor, Particles& particles, const PointView& position,
-                    const BoundaryView& boundary, const FluidConstants& constants,
-                    const float* held) {
-  const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data();
+void Leftover::note(const StepContext& s, const PointView& position) {
+  Particles& particles = s.particles;
+  const float *ratio = particles.density_ratio.data(), *pressure = particles.pressure.data(),
+              *held = s.held;
   const float most = settings_.max_compression;
   float* compression = particles.compression.resized(particles.count);
-  total_ = executor
-               .reduce<Sum>("leftover", particles.count,
-                            [=] SPINDRIFT_HD(std::uint32_t i) {
-                              const bool carried = held != nullptr && held[i] > 0;
-                              compression[i] = carried ? 0 : counted(ratio[i], pressure[i], most);
-                              return Sum{std::max(0.f, compression[i])};
-                            })
-               .value;
-  const CubicKernel kernel(constants.support_radius);
-  const BoundaryView solid = boundary;
+  const auto note_one = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const bool carried = held != nullptr && held[i] > 0;
+    compression[i] = carried ? 0 : counted(ratio[i], pressure[i], most);
+    return Sum{std::max(0.f, compression[i])};
+  };
+  total_ = s.executor.reduce<Sum>("leftover", particles.count, note_one).value;
+  const CubicKernel kernel(s.constants.support_radius);
+  const BoundaryView solid = s.boundary;
   const PointView at = position;
-  const FluidConstants c = constants;
-  executor.for_each("leftover", boundary.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+  const FluidConstants c = s.constants;
+  s.executor.for_each("leftover", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
     const std::uint32_t b = solid.wet[k];
     solid.compression[b] =
         counted(boundary_density_ratio(b, c, kernel, at, solid), solid.pressure[b], most);
   });
 }
 
-const float* Leftover::allow(Executor& executor, Particles& particles, double dt, int refusals,
-                             float acceleration) {
+Allowance Leftover::allow(const StepContext& s) {
   // Where nothing falls, there is no such time.
-  const double fall = std::sqrt(double{support_radius_} / acceleration);
-  kept_ = static_cast<float>(1 - std::min(1., dt / std::min(20 * dt, release_time * fall)));
+  const double dt = s.duration,
+               fall = std::sqrt(double{s.constants.support_radius} / double{s.acceleration});
+  Allowance result{.excess = s.particles.excess.resized(s.particles.count), .leftover = total_};
+  result.kept = static_cast<float>(1 - std::min(1., dt / std::min(20 * dt, release_time * fall)));
   // Repeating a step does not ask for more than the step did.
-  const double first_dt = dt * std::pow(2., refusals);
-  rate_ = acceleration > 0
-              ? static_cast<float>(std::clamp(first_dt / (full_rate_time * fall), least_rate, 1.))
-              : 1;
-  const float most = settings_.max_compression, kept = kept_,
-              kept_of_dense = std::max(kept_, kept_if_too_dense);
-  const float* compression = particles.compression.data();
-  float* excess = particles.excess.resized(particles.count);
-  executor.for_each("leftover", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+  const double first_dt = dt * std::pow(2., s.refusals);
+  if (s.acceleration > 0)
+    result.rate =
+        static_cast<float>(std::clamp(first_dt / (full_rate_time * fall), least_rate, 1.));
+  const float most = settings_.max_compression, kept = result.kept,
+              kept_of_dense = std::max(kept, kept_if_too_dense);
+  const float* compression = s.particles.compression.data();
+  float* excess = s.particles.excess.data();
+  s.executor.for_each("leftover", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     const float c = compression[i], dense = kept_of_dense * c;
     excess[i] = dense > most ? dense : kept * c;
   });
-  return excess;
+  allow_in_nozzles(s, excess);
+  return result;
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

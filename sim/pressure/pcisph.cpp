@@ -42,10 +42,27 @@ struct Residual {
   }
 };
 
+/// What a step must take away, as loops look at it.
+struct Demand {
+  std::uint32_t count;         ///< particles
+  const float* density_ratio;  ///< ρ/ρ₀, as last predicted
+  const float* excess;         ///< compression that a particle may keep in this step
+  const float* of_samples;     ///< compression left over at the boundary samples
+  float kept;                  ///< part of it that wet ones may keep
+
+  /// Compression of a particle that the step must take away, or, below zero, lacks.
+  SPINDRIFT_HD float compression(std::uint32_t i) const {
+    return density_ratio[i] - 1.f - excess[i];
+  }
+  /// Compression that wet sample b may keep.
+  SPINDRIFT_HD float kept_by_sample(std::uint32_t b) const { return kept * of_samples[b]; }
+};
+
 /// The unknowns of a step, and what is wrong with them: the pressures of the particles, then of the
 /// wet boundary samples.
 struct Unknowns {
   StepView step;
+  Demand demand;
   std::uint32_t wet_count;
   const float* wet_compression;
   float delta;  ///< pressure per density ratio, δ, Pa
@@ -58,7 +75,7 @@ struct Unknowns {
   }
   /// ρ/ρ₀ less what is wanted.
   SPINDRIFT_HD float compression(std::uint32_t k) const {
-    return k < step.count ? step.compression(k) : wet_compression[k - step.count];
+    return k < step.count ? demand.compression(k) : wet_compression[k - step.count];
   }
   /// Where pressure would have to fall below zero the residual ends at what takes it to zero.
   SPINDRIFT_HD AndersonPoint operator()(std::uint32_t k) const {
@@ -86,7 +103,7 @@ struct Prediction {
 };
 
 template <class Kernel>
-class Pcisph : public PressureSolver {
+class Pcisph : public PcisphSolver {
  public:
   Pcisph(const SolverSettings& settings, const FluidConstants& constants, const Kernel& kernel)
       : settings_(settings),
@@ -94,11 +111,15 @@ class Pcisph : public PressureSolver {
         pressure_kernel_(kernel),
         gradient_product_(lattice_gradient_product(density_kernel_, kernel, constants.spacing,
                                                    constants.support_radius)),
-        coarse_(constants) {}
+        coarse_(constants),
+        leftover_(settings) {}
 
-  StepResult solve(const StepContext& s) override {
+  StepResult solve(const StepContext& s) override { return solve(s, leftover_.allow(s)); }
+
+  StepResult solve(const StepContext& s, const Allowance& allowance) override {
+    allowance_ = allowance;
     // The eigenvalues grow with the square of the density.
-    const float delta = stiffness(s) / (s.densest * s.densest);
+    const float delta = stiffness(s) / (allowance.densest * allowance.densest);
     const float largest_move = largest_correction * s.constants.spacing;
     acceleration_.start();
     start_pressure(s, delta);
@@ -116,7 +137,8 @@ class Pcisph : public PressureSolver {
       }
       if (iteration == settings_.max_iterations)
         return {.accepted = false, .iterations = iteration};
-      const Unknowns unknowns{s.view(), s.boundary.wet_count, wet_compression_.data(), delta};
+      const Unknowns unknowns{s.view(), demand(s), s.boundary.wet_count, wet_compression_.data(),
+                              delta};
       const AndersonView history = acceleration_.combine(s.executor, unknowns.count(), unknowns);
       if (iteration == 0 && s.refusals < 2)
         correct_everywhere(s, unknowns, history);
@@ -126,15 +148,26 @@ class Pcisph : public PressureSolver {
     }
   }
 
-  void ease(const StepContext& s) override {
-    if (!eases_)
-      return;
+  void finish(const StepContext& s) override {
+    if (eases_)
+      ease(s);
+    leftover_.note(s, s.particles.corrected_position.view());
+  }
+
+  void take_over(const StepContext& s) override {
+    leftover_.note(s, s.particles.drifted_position.view());
+  }
+
+  /// Moves corrected positions, and them alone, to take away some of what the step has left over.
+  /// Leaves the density ratios there.
+  void ease(const StepContext& s) {
     Particles& p = s.particles;
     const float delta = stiffness(s), most = most_eased * settings_.max_compression;
     const float *ratio = p.density_ratio.data(), *pressure = p.pressure.data(),
                 *wet = wet_compression_.data();
     const PointView x = p.corrected_position.view(), moved = p.drifted_position.view();
     const StepView step = s.view();
+    const Demand demand = this->demand(s);
     s.executor.for_each("ease", p.count + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
       x.value(i) = i == step.count || step.is_held(i)
                        ? 0
@@ -144,7 +177,7 @@ class Pcisph : public PressureSolver {
       const BoundaryView& solid = step.boundary;
       const std::uint32_t b = solid.wet[k];
       solid.step_pressure[b] =
-          easing_pressure(wet[k] + step.kept_by_sample(b), solid.pressure[b], delta, most);
+          easing_pressure(wet[k] + demand.kept_by_sample(b), solid.pressure[b], delta, most);
     });
     const float dt2 = s.time_step * s.time_step;
     const Kernel kernel = pressure_kernel_;
@@ -177,8 +210,8 @@ class Pcisph : public PressureSolver {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
     return residual.largest <= lenience * settings_.max_compression &&
-           residual.compression <= std::max(mean, s.leftover) &&
-           residual.error <= 2 * mean * s.rate;
+           residual.compression <= std::max(mean, allowance_.leftover) &&
+           residual.error <= 2 * mean * allowance_.rate;
   }
 
   bool is_nothing(const Residual& residual, const StepContext& s) const {
@@ -245,22 +278,23 @@ class Pcisph : public PressureSolver {
     const PointView corrected = p.corrected_position.view(), drifted = p.drifted_position.view();
     float* ratio = p.density_ratio.data();
     const StepView step = s.view();
+    const Demand demand = this->demand(s);
     const CubicKernel kernel = density_kernel_;
     const float most = settings_.max_compression;
     // Where what presses on a nozzle has no way out, no step is short enough to move it.
-    const bool settling = s.settling, can_clear_nozzles = s.refusals < 3;
+    const bool settling = allowance_.settling, can_clear_nozzles = s.refusals < 3;
     const auto so_far = prediction_.view();
     const auto predict = [=] SPINDRIFT_HD(std::uint32_t i) {
       if (so_far->too_far)
         return Residual{};
       ratio[i] =
           density_ratio(i, step.constants, kernel, corrected, step.neighbours, step.boundary);
-      const float wanted = step.compression(i);
+      const float wanted = demand.compression(i);
       if (step.is_held(i)) {  // what comes from walls and from others in the nozzle remains
         const float pressed = can_clear_nozzles ? std::max(0.f, wanted) : 0.f;
         return Residual{pressed, pressed, pressed};
       }
-      const bool too_dense = step.excess[i] > most;
+      const bool too_dense = demand.excess[i] > most;
       const float compression = std::max(0.f, settling || too_dense ? wanted : ratio[i] - 1.f);
       const float error = std::abs(std::max(wanted, -drifted.value(i) / delta));
       return Residual{compression, error, compression};
@@ -277,6 +311,7 @@ class Pcisph : public PressureSolver {
   void predict_wet_density(const StepContext& s, float delta) {
     const PointView corrected = s.particles.corrected_position.view();
     const StepView step = s.view();
+    const Demand demand = this->demand(s);
     const CubicKernel kernel = density_kernel_;
     float* compression = wet_compression_.resized(s.boundary.wet_count);
     const auto so_far = prediction_.view();
@@ -286,7 +321,7 @@ class Pcisph : public PressureSolver {
       const BoundaryView& solid = step.boundary;
       const std::uint32_t b = solid.wet[k];
       compression[k] = boundary_density_ratio(b, step.constants, kernel, corrected, solid) - 1.f -
-                       step.kept_by_sample(b);
+                       demand.kept_by_sample(b);
       return Sum{std::abs(std::max(compression[k], -solid.step_pressure[b] / delta))};
     };
     const auto note = [=] SPINDRIFT_HD(Prediction & found, const Sum& error) {
@@ -374,12 +409,19 @@ class Pcisph : public PressureSolver {
   }
 
  private:
+  Demand demand(const StepContext& s) const {
+    return {s.particles.count, s.particles.density_ratio.data(), allowance_.excess,
+            s.boundary.compression, allowance_.kept};
+  }
+
   SolverSettings settings_;
   CubicKernel density_kernel_;
   Kernel pressure_kernel_;
   double gradient_product_;  ///< Σ ∇W·∇W over a full lattice, 1/m⁸
   CoarsePressure coarse_;
   AndersonAcceleration acceleration_;
+  Leftover leftover_;
+  Allowance allowance_{};        ///< of this step
   bool eases_ = false;           ///< whether the last step has left over what is worth it
   ScalarField wet_compression_;  ///< of the wet boundary samples, this iteration
   Kept<Prediction> prediction_;
@@ -388,8 +430,8 @@ class Pcisph : public PressureSolver {
 
 }  // namespace
 
-std::unique_ptr<PressureSolver> make_pcisph(const SolverSettings& settings,
-                                            const FluidConstants& constants) {
+std::unique_ptr<PcisphSolver> make_pcisph(const SolverSettings& settings,
+                                          const FluidConstants& constants) {
   const float radius = constants.support_radius;
   if (settings.pressure_kernel == PressureKernel::spiky)
     return std::make_unique<Pcisph<SpikyKernel>>(settings, constants, SpikyKernel(radius));

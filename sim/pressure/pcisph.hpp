@@ -4,12 +4,19 @@
 #include <memory>
 
 #include "sim/core/settings.hpp"
-#include "sim/step/solver.hpp"
+#include "sim/pressure/leftover.hpp"
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+class PcisphSolver : public PressureSolver {
+ public:
+  using PressureSolver::solve;
+  /// The same with what the step need not take away.
+  virtual StepResult solve(const StepContext& step, const Allowance& allowance) = 0;
+};
+
 /// @param settings tolerances and limits of the iteration
-std::unique_ptr<PressureSolver> make_pcisph(const SolverSettings& settings,
-                                            const FluidConstants& constants);
+std::unique_ptr<PcisphSolver> make_pcisph(const SolverSettings& settings,
+                                          const FluidConstants& constants);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

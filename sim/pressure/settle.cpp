@@ -72,7 +72,7 @@ struct Settling {
   const GridMap& map;
   const ContactView& contact;
   float radius;
-  std::unique_ptr<PressureSolver> solver = make_pcisph(settings, constants);
+  std::unique_ptr<PcisphSolver> solver = make_pcisph(settings, constants);
 
   int run() {
     place_alone();
@@ -161,22 +161,22 @@ struct Settling {
         excess[i] = part * above[i];
         pressure[i] = 0;
       });
-      const StepResult result = solver->solve({.executor = executor,
-                                               .particles = particles,
-                                               .constants = constants,
-                                               .neighbours = neighbourhood.fluid(),
-                                               .boundary = neighbourhood.boundary(),
-                                               .grid = neighbourhood.grid(),
-                                               .map = &map,
-                                               .contact = contact,
-                                               .held = inflow.held(particles),
-                                               .time_step = settings.max_time_step,
-                                               .refusals = refusals,
-                                               .kick = settings.max_time_step,
-                                               .excess = excess,
-                                               .rate = 1,
-                                               .settling = true,
-                                               .densest = densest});
+      const StepResult result =
+          solver->solve({.executor = executor,
+                         .particles = particles,
+                         .constants = constants,
+                         .neighbours = neighbourhood.fluid(),
+                         .boundary = neighbourhood.boundary(),
+                         .grid = neighbourhood.grid(),
+                         .map = &map,
+                         .contact = contact,
+                         .held = inflow.held(particles),
+                         .time_step = settings.max_time_step,
+                         .duration = settings.max_time_step,
+                         .refusals = refusals,
+                         .kick = settings.max_time_step,
+                         .acceleration = 0},
+                        {.excess = excess, .settling = true, .densest = densest});
       // Where nothing is accepted, a small part of too large a correction is better than none.
       if (result.accepted || part >= 0.99f)
         break;
@@ -188,9 +188,9 @@ struct Settling {
 
 }  // namespace
 
-int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, const Inflow& inflow,
-           const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
-           const ContactView& contact, float radius) {
+int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+           const Inflow& inflow, const FluidConstants& constants, const SolverSettings& settings,
+           const GridMap& map, const ContactView& contact, float radius) {
   return Settling{executor, particles, neighbourhood, inflow, constants,
                   settings, map,       contact,       radius}
       .run();

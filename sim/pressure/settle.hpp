@@ -15,8 +15,8 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 /// @return how many sweeps it took; 0 where nothing was too dense
 /// @throws std::invalid_argument when it is too dense after hundreds of sweeps, which says how much
 /// and where
-int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood, const Inflow& inflow,
-           const FluidConstants& constants, const SolverSettings& settings, const GridMap& map,
-           const ContactView& contact, float radius);
+int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
+           const Inflow& inflow, const FluidConstants& constants, const SolverSettings& settings,
+           const GridMap& map, const ContactView& contact, float radius);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -11,11 +11,9 @@
 #include "sim/boundary/walls.hpp"
 #include "sim/flow/inflow.hpp"
 #include "sim/flow/outflow.hpp"
-#include "sim/forces/surface_tension.hpp"
-#include "sim/forces/viscosity.hpp"
+#include "sim/forces/force.hpp"
 #include "sim/particles/particle_state.hpp"
 #include "sim/pressure/creep.hpp"
-#include "sim/pressure/leftover.hpp"
 #include "sim/pressure/pcisph.hpp"
 #include "sim/pressure/settle.hpp"
 #include "sim/pressure/wcsph.hpp"
@@ -59,7 +57,9 @@ struct Run final : Engine {
   GridMap map;
   Walls walls;
   Neighbourhood neighbourhood;
+  float speed_of_sound;  ///< of basic SPH, m/s
   std::unique_ptr<PressureSolver> solver;
+  std::vector<std::unique_ptr<Force>> forces;
   TimeStepControl time_step;
   double time = 0;
   double frame_end = 0;    ///< s
@@ -68,9 +68,6 @@ struct Run final : Engine {
   double mean_pressure = 0;  ///< root mean square over the particles, Pa
   std::int64_t drift_contacts = 0;
   double drift_impulse = 0;  ///< as Moved::wall_impulse
-  std::optional<SurfaceTension> surface_tension;
-  Viscosity viscosity;
-  Leftover leftover;
   Inflow inflow;
   Outflow outflow;
   Exchange exchange;           ///< since the last frame
@@ -83,15 +80,13 @@ struct Run final : Engine {
         map(grid_over(s, list_radius_factor * constants.support_radius)),
         walls(s, map, constants.support_radius, stop),
         neighbourhood(map, walls.boundary()),
-        solver(make_solver(initial)),
-        time_step(s.solver, constants,
-                  std::min(solver->time_step_limit(), SurfaceTension::time_step_limit(constants))),
-        viscosity(constants, largest_wall_viscosity(s)),
-        leftover(s.solver, constants.support_radius),
+        speed_of_sound(s.solver.speed_of_sound > 0 ? s.solver.speed_of_sound
+                                                   : default_speed_of_sound(s, initial)),
+        solver(make_solver(s.solver)),
+        forces(forces_of(s, constants)),
+        time_step(s.solver, constants, time_step_limit()),
         inflow(s, constants, static_cast<std::uint32_t>(initial.positions.size())),
         outflow(s, constants) {
-    if (constants.surface_tension > 0)
-      surface_tension.emplace(constants);
     if (initial.positions.empty() && !inflow.exists())
       throw std::invalid_argument(
           "the scene has no particles: no volume is as wide as fluid.spacing, and there is no "
@@ -106,12 +101,10 @@ struct Run final : Engine {
       creep.emplace(initial, inflow.next_id(0));
   }
 
-  std::unique_ptr<PressureSolver> make_solver(const InitialParticles& initial) const {
-    if (settings.solver.type == SolverType::pcisph)
-      return make_pcisph(settings.solver, constants);
-    const float c = settings.solver.speed_of_sound;
-    return make_wcsph(settings.solver, constants,
-                      c > 0 ? c : default_speed_of_sound(settings, initial));
+  std::unique_ptr<PressureSolver> make_solver(const SolverSettings& s) const {
+    if (s.type == SolverType::pcisph)
+      return make_pcisph(s, constants);
+    return make_wcsph(s, constants, speed_of_sound);
   }
 
   /// @throws std::invalid_argument for a frame that is not one of these settings'
@@ -137,14 +130,20 @@ struct Run final : Engine {
     return step < longest ? std::max(speed, distance / step) : speed;
   }
 
-  bool viscous() const { return constants.viscosity > 0 || largest_wall_viscosity(settings) > 0; }
-  bool corrects_density() const { return settings.solver.type == SolverType::pcisph; }
+  /// Of the solver and of all forces, s.
+  float time_step_limit() const {
+    float limit = solver->time_step_limit();
+    for (const auto& force : forces)
+      limit = std::min(limit, force->time_step_limit());
+    return limit;
+  }
 
   void find_neighbours() {
     neighbourhood.update(executor, particles, list_radius_factor * constants.support_radius);
   }
 
-  StepContext context_of(double dt, int refusals, const float* excess) {
+  StepContext context_of(double dt, int refusals) {
+    const Vec3<float> a = body_acceleration(settings.forces, time);
     return {.executor = executor,
             .particles = particles,
             .constants = constants,
@@ -155,19 +154,10 @@ struct Run final : Engine {
             .contact = walls.contact(),
             .held = inflow.held(particles),
             .time_step = static_cast<float>(dt),
+            .duration = dt,
             .refusals = refusals,
             .kick = kick(dt),
-            .excess = excess,
-            .rate = leftover.rate(),
-            .kept = leftover.kept(),
-            .leftover = leftover.total()};
-  }
-
-  const float* allowed_leftover(double dt, int refusals) {
-    if (!corrects_density())
-      return nullptr;
-    const Vec3<float> a = body_acceleration(settings.forces, time);
-    return leftover.allow(executor, particles, dt, refusals, std::sqrt(dot(a, a)));
+            .acceleration = std::sqrt(dot(a, a))};
   }
 
   /// What is no time at all near the given one, s.
@@ -179,19 +169,16 @@ struct Run final : Engine {
       walls.move(executor, time, time + dt);
       drift(dt);
       find_neighbours();
-      if (surface_tension && surface_tension->apply(context_of(dt, refusals, nullptr)))
-        find_neighbours();
-      if (viscous() && viscosity.apply(context_of(dt, refusals, nullptr)))
-        find_neighbours();
-      const StepContext context = context_of(dt, refusals, allowed_leftover(dt, refusals));
-      inflow.allow(context, particles.excess.data());
+      for (const auto& force : forces)
+        if (force->apply(context_of(dt, refusals)))
+          find_neighbours();
+      const StepContext context = context_of(dt, refusals);
       const StepResult result = solver->solve(context);
       statistics.iterations += result.iterations;
       if (!result.accepted)
         continue;
       statistics.contacts += integrate(context, result.pressure_factor, statistics);
-      solver->ease(context);
-      note_leftover(particles.corrected_position);
+      solver->finish(context);
       summed_time += context.kick;
       if (frame_end - (time + dt) <= tiny(frame_end))
         measure_pressure(context, settings.solver.pressure_kernel, summed_time);
@@ -287,18 +274,11 @@ struct Run final : Engine {
     max_speed = largest_speed(executor, particles);
   }
 
-  /// Of particles whose density ratios are those at `position`.
-  void note_leftover(PointField& position) {
-    if (corrects_density())
-      leftover.note(executor, particles, position.view(), neighbourhood.boundary(), constants,
-                    inflow.held(particles));
-  }
-
   /// Measures particles as they are given, or where others have come close to them.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
-    note_leftover(particles.drifted_position);
+    solver->take_over(context_of(time_step.last(), 0));
   }
 
   /// The liquid as it is now.
@@ -329,18 +309,16 @@ struct Run final : Engine {
       frame_end = std::numeric_limits<double>::max();
       particles.mean_pressure.resize(particles.count);
       particles.mean_pressure.fill(0);
-      std::unique_ptr<PressureSolver> creeping =
-          corrects_density() ? make_pcisph(Creep::tightened(settings.solver), constants) : nullptr;
-      if (creeping)
-        solver.swap(creeping);
+      std::unique_ptr<PressureSolver> usual = std::move(solver);
+      solver = make_solver(Creep::tightened(settings.solver));
+      solver->take_over(context_of(dt, 0));
       creep->begin(executor, particles);
       for (int k = 0; k < Creep::steps; ++k) {
         step(dt, unused);
         creep->end_step(executor, particles);
       }
       creep->end(executor, particles);
-      if (creeping)
-        solver.swap(creeping);
+      solver = std::move(usual);
       particles.mean_pressure.fill(0);
       walls.boundary().mean_pressures().fill(0);
       time_step = before;
@@ -393,7 +371,7 @@ struct Run final : Engine {
     }
     time = end;
     measure(statistics);
-    note_leftover(particles.drifted_position);
+    solver->take_over(context_of(time_step.last(), 0));
     statistics.exchange = std::exchange(exchange, {});
   }
 
@@ -433,10 +411,16 @@ struct Run final : Engine {
   std::size_t boundary_particle_count() const override { return walls.boundary().count(); }
   const PhaseClock& clock() const override { return executor.clock(); }
 
+  std::size_t memory_of_forces() const {
+    std::size_t sum = 0;
+    for (const auto& force : forces)
+      sum += force->memory_bytes();
+    return sum;
+  }
+
   std::size_t memory_bytes() const override {
     return particles.memory_bytes() + neighbourhood.memory_bytes() + walls.memory_bytes() +
-           solver->memory_bytes() + viscosity.memory_bytes() + executor.memory_bytes() +
-           (surface_tension ? surface_tension->memory_bytes() : 0);
+           solver->memory_bytes() + executor.memory_bytes() + memory_of_forces();
   }
 };
 

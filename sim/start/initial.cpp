@@ -180,13 +180,6 @@ FluidConstants constants_of(const FluidSettings& fluid) {
           .contact_angle = fluid.contact_angle};
 }
 
-float largest_wall_viscosity(const Settings& settings) {
-  float largest = settings.fluid.wall_viscosity;
-  for (const Obstacle& obstacle : settings.obstacles)
-    largest = std::max(largest, obstacle.wall_viscosity.value_or(0));
-  return largest;
-}
-
 float default_speed_of_sound(const Settings& settings, const InitialParticles& initial) {
   float speed = 0;
   for (const glm::vec3 v : initial.velocities)

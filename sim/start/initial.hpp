@@ -28,9 +28,6 @@ GridMap grid_over(const Settings& settings, float cell);
 struct FluidConstants;
 FluidConstants constants_of(const FluidSettings& fluid);
 
-/// With which any wall or obstacle holds the liquid back at most, Pa·s.
-float largest_wall_viscosity(const Settings& settings);
-
 /// Ten times the fastest speed that falling through the whole domain can give, m/s.
 float default_speed_of_sound(const Settings& settings, const InitialParticles& initial);
 

@@ -15,12 +15,9 @@ struct StepView {
   NeighbourView neighbours;
   BoundaryView boundary;
   ContactView contact;
-  const float* held;           ///< 1: a nozzle moves the particle, and nothing else; null: none
-  Vec3Arrays position;         ///< at the step's start, m
-  PointView drifted;           ///< where particles are about to be, but for pressure, m
-  const float* density_ratio;  ///< ρ/ρ₀, as last predicted
-  const float* excess;         ///< compression that a particle may keep in this step
-  float kept;                  ///< part of the wet samples' leftover compression that they may keep
+  const float* held;    ///< 1: a nozzle moves the particle, and nothing else; null: none
+  Vec3Arrays position;  ///< at the step's start, m
+  PointView drifted;    ///< where particles are about to be, but for pressure, m
 
   /// A particle with no others near it: the domain's walls stop it as far off as they are from
   /// liquid at rest, where they alone do not make it too dense, and do not throw it back.
@@ -37,15 +34,6 @@ struct StepView {
   }
 
   SPINDRIFT_HD bool is_held(std::uint32_t i) const { return held != nullptr && held[i] > 0; }
-
-  /// Compression that the step must take away, or, below zero, lacks.
-  SPINDRIFT_HD float compression(std::uint32_t i) const {
-    return density_ratio[i] - 1.f - excess[i];
-  }
-  /// Compression that wet sample b may keep.
-  SPINDRIFT_HD float kept_by_sample(std::uint32_t b) const {
-    return kept * boundary.compression[b];
-  }
 };
 
 /// One time step after all but pressure has been applied: particles have drifted to where they
@@ -61,15 +49,10 @@ struct StepContext {
   ContactView contact;
   const float* held;  ///< as in StepView
   float time_step;    ///< Δt, s
+  double duration;    ///< the same with all its digits, as time is summed up, s
   int refusals;       ///< how often this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act in it: half of the last step and half of this, s
-  const float* excess;  ///< compression that a particle may keep in this step; not for basic SPH
-  float rate;           ///< part of the tolerance that a step as short as this may add
-  float kept = 0;       ///< part of the wet samples' leftover compression that they may keep
-  double leftover = 0;  ///< Σ max(0, ρ/ρ₀ − 1) over the particles at the start of the step
-  bool settling =
-      false;          ///< the particles start far too dense; only what goes beyond `excess` counts
-  float densest = 1;  ///< largest density ratio at the start of the step where that is far above 1
+  float acceleration;  ///< of the body, by gravity and the like, m/s²
 
   StepView view() const {
     return {.constants = constants,
@@ -79,10 +62,7 @@ struct StepContext {
             .contact = contact,
             .held = held,
             .position = particles.position.view(),
-            .drifted = particles.drifted_position.view(),
-            .density_ratio = particles.density_ratio.data(),
-            .excess = excess,
-            .kept = kept};
+            .drifted = particles.drifted_position.view()};
   }
 };
 
@@ -100,9 +80,12 @@ class PressureSolver {
  public:
   virtual ~PressureSolver() = default;
   virtual StepResult solve(const StepContext& step) = 0;
-  /// After an accepted step, when positions are the corrected ones: moves them, and them alone, to
-  /// take away some of what the step has left over. Leaves the density ratios there.
-  virtual void ease(const StepContext&) {}
+  /// After an accepted step, when positions are the corrected ones: the solver may move them, and
+  /// them alone, and notes what it is to know in the next step.
+  virtual void finish(const StepContext&) {}
+  /// Notes the same of particles that are given, or have been measured: their density ratios are
+  /// those at their drifted positions.
+  virtual void take_over(const StepContext&) {}
   /// Largest stable time step of the solver itself, s.
   virtual float time_step_limit() const = 0;
   /// Of the fields that the solver keeps.

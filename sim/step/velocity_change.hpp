@@ -7,7 +7,7 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Adds the velocity changes that stand in `acceleration`, m/s, to the drifted velocities, and
+/// Adds the velocity changes that a force has left, m/s, to the drifted velocities, and
 /// moves the drifted positions on by them. What a nozzle moves is left alone.
 /// @return whether particles moved so far that they must be listed anew
 inline bool change_velocities(const StepContext& s, std::string_view name) {

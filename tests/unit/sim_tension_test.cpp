@@ -111,10 +111,10 @@ TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta
                                    .contact = {{0, 0, 0}, {1, 1, 1}},
                                    .held = nullptr,
                                    .time_step = 1e-9f,
+                                   .duration = 1e-9,
                                    .refusals = 0,
                                    .kick = 1,
-                                   .excess = nullptr,
-                                   .rate = 1});
+                                   .acceleration = 0});
   const double mass = double{constants.rest_density} * constants.volume;
   dvec3 momentum(0), turning(0);
   double largest = 0;
