@@ -179,11 +179,21 @@ inline constexpr auto table<sim::AccelerationKey> = std::tuple{
           Presence::required}};
 
 template <>
+inline constexpr auto table<sim::AirSettings> = std::tuple{
+    Field{"density", &sim::AirSettings::density, "density of the air", Range{1e-6, 1e4}, "kg/m³"},
+    Field{"viscosity", &sim::AirSettings::viscosity, "dynamic viscosity of the air",
+          Range{1e-9, 1e3}, "Pa·s"},
+    Field{"velocity", &sim::AirSettings::velocity, "wind", speeds, "m/s"}};
+
+template <>
 inline constexpr auto table<sim::ForceSettings> = std::tuple{
     Field{"gravity", &sim::ForceSettings::gravity, "gravity", accelerations, "m/s²"},
     Field{"body", &sim::ForceSettings::body,
           "acceleration that varies in time, added to gravity, by keys in the order of their "
-          "times"}};
+          "times"},
+    Field{"air", &sim::ForceSettings::air,
+          "air whose drag slows down spray and the liquid's surface; {} is still air at 20 °C; "
+          "none if left out"}};
 
 template <>
 inline constexpr auto table<sim::SolverSettings> = std::tuple{

@@ -90,9 +90,17 @@ struct AccelerationKey {
   glm::vec3 acceleration{0.f};  ///< m/s²
 };
 
+/// Air around the liquid, which slows down its spray.
+struct AirSettings {
+  float density = 1.2041f;      ///< kg/m³
+  float viscosity = 1.845e-5f;  ///< dynamic viscosity, Pa·s
+  glm::vec3 velocity{0.f};      ///< m/s: wind
+};
+
 struct ForceSettings {
-  glm::vec3 gravity{0.f, -9.81f, 0.f};  ///< m/s²
-  std::vector<AccelerationKey> body;    ///< added to gravity; none by default
+  glm::vec3 gravity{0.f, -9.81f, 0.f};            ///< m/s²
+  std::vector<AccelerationKey> body;              ///< added to gravity; none by default
+  std::optional<AirSettings> air = std::nullopt;  ///< none: it does not slow the liquid down
 };
 
 enum class SolverType { pcisph, sph };

@@ -67,6 +67,7 @@ TEST_CASE("every member of every settings struct has its key") {
   STATIC_REQUIRE(complete<sim::Oscillation>);
   STATIC_REQUIRE(complete<sim::Spin>);
   STATIC_REQUIRE(complete<sim::Sink>);
+  STATIC_REQUIRE(complete<sim::AirSettings>);
   STATIC_REQUIRE(complete<sim::Emitter>);
   STATIC_REQUIRE(complete<sim::Disc>);
   STATIC_REQUIRE(complete<sim::Rectangle>);
