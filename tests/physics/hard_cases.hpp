@@ -89,6 +89,7 @@ inline void check(const std::string& name, const sim::Settings& s, const Invaria
   CHECK(found.count_kept);
   CHECK(found.outside <= beyond);
   CHECK(found.energy_made <= energy);
+  CHECK(found.energy_off < 1e-4);
   CHECK(largest <= most);
   CHECK(mean <= most_mean);
 }

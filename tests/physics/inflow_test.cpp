@@ -155,6 +155,7 @@ TEST_CASE("an emitter inside liquid holds back what has no place, and nothing ex
   });
   CHECK(sum.held_back > 9 * sum.entered);
   CHECK(fastest < 4);
+  CHECK(largest < 1.1 * double{s.solver.max_compression});
 }
 
 TEST_CASE("what comes in goes out or is there: a sink drains, open faces let out") {
@@ -176,6 +177,13 @@ TEST_CASE("what comes in goes out or is there: a sink drains, open faces let out
   CHECK(sum.left > 100);
   CHECK(sum.entered ==
         sum.drained + sum.left + static_cast<std::int64_t>(simulation.particle_count()));
+  // Both jets have 2 m/s; one comes in at a height of 0.4 m, the other at 0.6 m.
+  const double mass = 1000 * std::pow(double{d}, 3);
+  CHECK(energy_in ==
+        Approx(static_cast<double>(sum.entered) * mass * (0.5 * 4 + 9.81 * 0.5)).epsilon(0.05));
+  CHECK(energy_out > 0);
+  const FrameStatistics end = simulation.advance_to(1.5);
+  CHECK(end.kinetic_energy + end.potential_energy < energy_in - energy_out);
 }
 
 TEST_CASE("above an open top a splash comes back; over the rim it leaves") {

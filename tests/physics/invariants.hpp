@@ -28,6 +28,9 @@ struct Invariants {
   double energy_made =
       0;  ///< largest rise of the energy over an earlier frame's, less the work of
           ///< body forces and moving walls, relative to what there was and what was put in
+  double energy_off =
+      0;  ///< largest difference of the program's energies from those that positions
+          ///< and velocities give, relative to what there was and was put in
   double max_compression = 0;   ///< largest ρ/ρ₀ − 1
   double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) in the worst frame
   double max_speed = 0;         ///< m/s
@@ -37,27 +40,19 @@ struct Invariants {
   sim::Frame end;
 };
 
-/// The speed of sound of basic SPH that a scene gets by default: ten times the fastest speed that
-/// its accelerations can give over the whole domain, m/s.
-inline float default_speed_of_sound(const sim::Settings& s) {
-  float speed = 0, acceleration = glm::length(s.forces.gravity);
-  for (const sim::Volume& v : s.fluid.volumes)
-    speed = std::max(speed, glm::length(v.velocity));
-  for (const sim::AccelerationKey& k : s.forces.body)
-    acceleration = std::max(acceleration, glm::length(s.forces.gravity + k.acceleration));
-  for (const sim::Obstacle& obstacle : s.obstacles)
-    speed = std::max(speed, sim::fastest_speed(obstacle));
-  const float height = s.domain.max.y - s.domain.min.y;
-  return 10 * std::sqrt(speed * speed + 2 * acceleration * height);
-}
-
 /// Looks at frames one after another. Gravity is in the potential energy; the work of the other
 /// body forces is that on the centre of mass. Water that is compressible, as basic SPH's, holds
 /// elastic energy besides: Tait's pressure (Monaghan 2005, eq. 4.3) integrated over the
 /// compression; so do walls at rest.
 class InvariantsWatch {
  public:
-  explicit InvariantsWatch(const sim::Settings& settings) : settings_(settings) {
+  explicit InvariantsWatch(const sim::Settings& settings)
+      : settings_(settings),
+        mass_(double{settings.fluid.rest_density} *
+              double{sim::constants_of(sim::as_filled(settings).fluid).volume}) {
+    if (settings.solver.speed_of_sound == 0)
+      settings_.solver.speed_of_sound =
+          sim::default_speed_of_sound(settings, sim::fill_volumes(settings));
     if (settings.solver.type != sim::SolverType::sph || sim::any_moves(settings.obstacles))
       return;
     const float radius = sim::constants_of(settings.fluid).support_radius;
@@ -119,7 +114,8 @@ class InvariantsWatch {
     const sim::Vec3<float> a = sim::body_acceleration(settings_.forces, frame.time);
     const glm::dvec3 force =
         mass() * (glm::dvec3(a.x, a.y, a.z) - glm::dvec3(settings_.forces.gravity));
-    const double energy = f.kinetic_energy + f.potential_energy + elastic_energy(frame);
+    const double mechanical = mechanical_energy(frame);
+    const double energy = mechanical + elastic_energy(frame);
     if (frame.time > 0) {
       const double work = 0.5 * glm::dot(force + last_force_, center - last_center_) + f.wall_work;
       lowest_ += work;
@@ -128,10 +124,26 @@ class InvariantsWatch {
       worst_.energy_start = lowest_ = energy;
       put_in_ = std::max(energy, mass() * 1e-6);  // that of 1.4 mm/s, where there is none
     }
+    worst_.energy_off = std::max(
+        worst_.energy_off, std::abs(f.kinetic_energy + f.potential_energy - mechanical) / put_in_);
     worst_.energy_made = std::max(worst_.energy_made, (energy - lowest_) / put_in_);
     lowest_ = std::min(lowest_, energy);
     last_center_ = center;
     last_force_ = force;
+  }
+
+  /// Kinetic and potential, J, the potential against the domain's lowest corner along gravity.
+  double mechanical_energy(const sim::Frame& frame) const {
+    const glm::dvec3 g(settings_.forces.gravity);
+    const glm::dvec3 min(settings_.domain.min), max(settings_.domain.max);
+    const glm::dvec3 lowest(g.x > 0 ? max.x : min.x, g.y > 0 ? max.y : min.y,
+                            g.z > 0 ? max.z : min.z);
+    double sum = 0;
+    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+      const glm::dvec3 v(frame.velocities[i]), x(frame.positions[i]);
+      sum += 0.5 * glm::dot(v, v) - glm::dot(x - lowest, g);
+    }
+    return mass_ * sum;
   }
 
   /// What the pressure accelerations of basic SPH are the gradient of, J: Σ V ∫ p d(ρ/ρ₀) over
@@ -145,7 +157,7 @@ class InvariantsWatch {
     const auto stored = [&](double r) { return stiffness * ((std::pow(r, 8) - 1) / 8 - (r - 1)); };
     double energy = 0;
     for (const float density : frame.densities)
-      energy += mass() / static_cast<double>(count_) / settings_.fluid.rest_density *
+      energy += mass_ / settings_.fluid.rest_density *
                 stored(std::max(1., double{density} / settings_.fluid.rest_density));
     for (std::size_t b = 0; b < sample_volumes_.size(); ++b)
       energy += sample_volumes_[b] *
@@ -153,12 +165,11 @@ class InvariantsWatch {
     return energy;
   }
 
-  double mass() const {
-    return double{settings_.fluid.rest_density} * std::pow(settings_.fluid.spacing, 3) *
-           static_cast<double>(count_);
-  }
+  double mass() const { return mass_ * static_cast<double>(count_); }
 
-  const sim::Settings settings_, fixed_ = sim::without_moving(settings_);
+  sim::Settings settings_;
+  const sim::Settings fixed_ = sim::without_moving(settings_);
+  double mass_;  ///< of a particle, kg
   Invariants worst_;
   std::size_t count_ = 0;
   double lowest_ = 0, put_in_ = 0;  // J
@@ -177,9 +188,7 @@ inline Invariants watch(sim::Simulation& simulation, const sim::Settings& settin
   return w.worst();
 }
 
-inline Invariants watch(sim::Settings settings, double duration, int frames) {
-  if (settings.solver.speed_of_sound == 0)
-    settings.solver.speed_of_sound = default_speed_of_sound(settings);
+inline Invariants watch(const sim::Settings& settings, double duration, int frames) {
   sim::Simulation simulation(settings);
   return watch(simulation, settings, duration, frames);
 }
