@@ -23,8 +23,7 @@ struct DropDrag {
   /// is a mass on a spring (O'Rourke & Amsden 1987).
   SPINDRIFT_HD float flatness(float speed) const;
 
-  /// Of a ball (Schiller & Naumann in the form of Liu, Mather & Reitz 1993), and more where it is
-  /// flattened.
+  /// Of a ball (Putnam 1961, as Liu, Mather & Reitz 1993 have it), and more where it is flattened.
   SPINDRIFT_HD float coefficient(float speed, float flatness) const;
 
   /// Coefficient times area of a particle that so many others are near, m², with none before it.

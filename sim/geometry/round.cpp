@@ -3,8 +3,7 @@
 namespace spindrift::geometry {
 
 glm::mat3 frame_along(const glm::vec3& axis) {
-  const glm::vec3 aside = std::abs(axis.y) < 0.9f ? glm::vec3{0.f, 1.f, 0.f} : glm::vec3{1, 0, 0};
-  const glm::vec3 u = glm::normalize(glm::cross(aside, axis));
+  const glm::vec3 u = -across(axis);
   return {u, axis, glm::cross(u, axis)};
 }
 

@@ -3,6 +3,17 @@
 #include "sim/geometry/solid.hpp"
 
 namespace spindrift::geometry {
+namespace {
+
+template <class S>
+const S& seen_by_loops(const S& shape) {
+  return shape;
+}
+MeshSolid seen_by_loops(const TriangleMesh& mesh) {
+  return {&mesh.body->view()};
+}
+
+}  // namespace
 
 std::string problem_of(const Shape& shape) {
   return std::visit([](const auto& s) { return s.problem(); }, shape);
@@ -47,11 +58,11 @@ std::optional<Shape> mirrored(const Shape& shape, const Mirror& mirror) {
 }
 
 bool is_inside(const Shape& shape, const glm::vec3& p) {
-  return solid_of(shape).contains(p);
+  return std::visit([&](const auto& s) { return is_in(seen_by_loops(s), p); }, shape);
 }
 
 glm::vec3 push_out(const Shape& shape, const glm::vec3& p) {
-  return solid_of(shape).push_out(p);
+  return std::visit([&](const auto& s) { return seen_by_loops(s).push_out(p); }, shape);
 }
 
 }  // namespace spindrift::geometry

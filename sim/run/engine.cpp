@@ -80,8 +80,7 @@ struct Run final : Engine {
         map(grid_over(s, list_radius_factor * constants.support_radius)),
         walls(s, map, constants.support_radius, stop),
         neighbourhood(map, walls.boundary()),
-        speed_of_sound(s.solver.speed_of_sound > 0 ? s.solver.speed_of_sound
-                                                   : default_speed_of_sound(s, initial)),
+        speed_of_sound(speed_of_sound_in(s, initial)),
         solver(make_solver(s.solver)),
         forces(forces_of(s, constants)),
         time_step(s.solver, constants, time_step_limit()),
@@ -99,6 +98,13 @@ struct Run final : Engine {
     walls.move(executor, 0, 0);
     if (!initial.loose.empty())
       creep.emplace(initial, inflow.next_id(0));
+  }
+
+  /// 0 where nothing asks for it.
+  static float speed_of_sound_in(const Settings& s, const InitialParticles& initial) {
+    if (s.solver.type != SolverType::sph || s.solver.speed_of_sound > 0)
+      return s.solver.speed_of_sound;
+    return default_speed_of_sound(s, initial);
   }
 
   std::unique_ptr<PressureSolver> make_solver(const SolverSettings& s) const {
