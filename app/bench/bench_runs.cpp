@@ -38,13 +38,12 @@ Overrides with(Overrides all, const Overrides& more) {
 std::vector<Overrides> tolerances(const sim::SolverSettings& solver,
                                   const std::vector<double>& factors) {
   std::vector<Overrides> all;
-  for (const double f : factors) {
+  for (const double f : factors)
     if (solver.type == sim::SolverType::pcisph)
       all.push_back({scaled("solver.mean_compression", solver.mean_compression, f),
                      scaled("solver.max_compression", solver.max_compression, f)});
     else if (solver.speed_of_sound > 0)
       all.push_back({scaled("solver.speed_of_sound", solver.speed_of_sound, 1 / std::sqrt(f))});
-  }
   if (all.empty())
     all.emplace_back();
   return all;

@@ -31,15 +31,12 @@ double likely_speed(const sim::Settings& settings) {
   const double gravity = glm::length(settings.forces.gravity);
   const double height = settings.domain.max.y - settings.domain.min.y;
   double start = 0.;
-  for (const sim::Volume& volume : settings.fluid.volumes) {
+  for (const sim::Volume& volume : settings.fluid.volumes)
     start = std::max(start, static_cast<double>(glm::length(volume.velocity)));
-  }
-  for (const sim::Obstacle& obstacle : settings.obstacles) {
+  for (const sim::Obstacle& obstacle : settings.obstacles)
     start = std::max(start, static_cast<double>(sim::fastest_speed(obstacle)));
-  }
-  for (const sim::Emitter& emitter : settings.fluid.emitters) {
+  for (const sim::Emitter& emitter : settings.fluid.emitters)
     start = std::max(start, static_cast<double>(emitter.speed));
-  }
   return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
 }
 
@@ -72,9 +69,8 @@ double count_boundary_particles(const sim::Settings& settings) {
   double area = sim::area_of(sim::Box{settings.domain.min, settings.domain.max});
   for (const sim::Obstacle& obstacle : settings.obstacles) {
     const sim::Box bounds = sim::bounds_of(obstacle.shape);
-    if (obstacle.motion || !sim::is_apart(bounds, reach)) {
+    if (obstacle.motion || !sim::is_apart(bounds, reach))
       area += sim::area_of(obstacle.shape);
-    }
   }
   return area / (spacing * spacing);
 }
@@ -90,13 +86,11 @@ double count_emitted(const sim::Settings& settings, double time) {
 }
 
 std::size_t count_particles(const sim::Settings& settings) {
-  if (!is_cheap_to_fill(settings)) {
+  if (!is_cheap_to_fill(settings))
     return static_cast<std::size_t>(std::min(particles_by_size(settings), most_counted));
-  }
   std::size_t count = 0;
-  for (const sim::FilledVolume& volume : sim::count_volumes(settings)) {
+  for (const sim::FilledVolume& volume : sim::count_volumes(settings))
     count += volume.placed;
-  }
   return count;
 }
 

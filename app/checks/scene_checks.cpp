@@ -67,17 +67,15 @@ class Checker {
   }
 
   void check_shape(const sim::Shape& shape, const std::string& path) {
-    if (const std::string problem = sim::problem_of(shape); !problem.empty()) {
+    if (const std::string problem = sim::problem_of(shape); !problem.empty())
       complain(child_path(path, sim::name_of(shape)), problem);
-    }
   }
 
   void check_domain() {
     const auto& domain = scene_.simulation.domain;
     const float spacing = scene_.simulation.fluid.spacing;
-    if (const auto problem = sim::Box{domain.min, domain.max}.problem(); !problem.empty()) {
+    if (const auto problem = sim::Box{domain.min, domain.max}.problem(); !problem.empty())
       return complain("domain", problem);
-    }
     for (int axis = 0; axis < 3; ++axis) {
       const float width = domain.max[axis] - domain.min[axis];
       if (width < 4.f * spacing * 0.999f) {
@@ -102,9 +100,8 @@ class Checker {
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
       const std::string path = child_path("obstacles", i);
       check_shape(obstacles[i].shape, path);
-      if (obstacles[i].motion) {
+      if (obstacles[i].motion)
         check_motion(*obstacles[i].motion, child_path(path, "motion"));
-      }
     }
   }
 
@@ -121,9 +118,8 @@ class Checker {
                  "has no amplitude; give translate (m) or rotate (degrees)");
       }
     }
-    if (motion.spin && !(glm::length(motion.spin->axis) > 1e-6f)) {
+    if (motion.spin && !(glm::length(motion.spin->axis) > 1e-6f))
       complain(child_path(child_path(path, "spin"), "axis"), "has no length");
-    }
   }
 
   void check_volumes() {
@@ -143,9 +139,8 @@ class Checker {
       const double until = std::min(static_cast<double>(emitter.to), scene_.video.duration);
       const double time = std::max(0., until - emitter.from);
       double more = sim::opening_area(emitter.opening) * emitter.speed * time / cell;
-      if (emitter.max_particles > 0) {
+      if (emitter.max_particles > 0)
         more = std::min(more, static_cast<double>(emitter.max_particles));
-      }
       count += more;
     }
     if (count > most_particles) {
@@ -168,9 +163,8 @@ class Checker {
   void check_place(const sim::Shape& shape, const std::string& path) {
     const auto& domain = scene_.simulation.domain;
     const sim::Box bounds = sim::bounds_of(shape);
-    if (!glm::all(glm::lessThan(domain.min, domain.max))) {
+    if (!glm::all(glm::lessThan(domain.min, domain.max)))
       return;  // nothing is inside; that has been told
-    }
     const float tolerance = 0.501f * scene_.simulation.fluid.spacing;
     if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
         glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
@@ -184,14 +178,12 @@ class Checker {
   /// Something is left of every volume.
   void check_liquid() {
     const sim::Settings& settings = scene_.simulation;
-    if (!is_cheap_to_fill(settings)) {
+    if (!is_cheap_to_fill(settings))
       return;
-    }
     const std::vector<sim::FilledVolume> filled = sim::count_volumes(settings);
     for (std::size_t i = 0; i < filled.size(); ++i) {
-      if (filled[i].placed > 0) {
+      if (filled[i].placed > 0)
         continue;
-      }
       const std::string path = child_path("fluid.volumes", i);
       const auto& inside = filled[i].in_obstacles;
       const auto most =
@@ -220,15 +212,13 @@ class Checker {
 
   void check_sinks() {
     const auto& sinks = scene_.simulation.sinks;
-    for (std::size_t i = 0; i < sinks.size(); ++i) {
+    for (std::size_t i = 0; i < sinks.size(); ++i)
       check_shape(sinks[i].shape, child_path("sinks", i));
-    }
   }
 
   void check_emitters() {
-    for (const Complaint& wrong : check_exchange(scene_)) {
+    for (const Complaint& wrong : check_exchange(scene_))
       complain(wrong.path, wrong.message);
-    }
   }
 
   template <class Key>
@@ -257,12 +247,10 @@ class Checker {
 
   void check_picture() {
     const VideoConfig& video = scene_.video;
-    if (video.width % 2 != 0) {
+    if (video.width % 2 != 0)
       complain("video.width", fmt::format("{} is odd; accepted: even numbers", video.width));
-    }
-    if (video.height % 2 != 0) {
+    if (video.height % 2 != 0)
       complain("video.height", fmt::format("{} is odd; accepted: even numbers", video.height));
-    }
     const double rate = video.frames_per_second.per_second();
     if (video.duration * rate > 1e6 || video.frame_count() < 1) {
       complain(
@@ -270,9 +258,8 @@ class Checker {
           fmt::format("{:g} s at {:g} frames per second are {:.0f} frames; accepted: 1 ... 1000000",
                       video.duration, rate, video.duration * rate));
     }
-    if (glm::length(scene_.light.direction) < 1e-6f) {
+    if (glm::length(scene_.light.direction) < 1e-6f)
       complain("light.direction", "has no length");
-    }
     if (scene_.look.color_min > scene_.look.color_max) {
       complain("look.color_min", fmt::format("{:g} is above color_max ({:g})",
                                              scene_.look.color_min, scene_.look.color_max));

@@ -43,9 +43,8 @@ class MeshLoader {
 
   void load(sim::Shape& shape, const std::string& owner) {
     auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
-    if (!mesh) {
+    if (!mesh)
       return;
-    }
     const std::string path = child_path(owner, "mesh");
     const std::filesystem::path file = folder_ / mesh->file;
     sim::TriangleSurface surface;
@@ -88,15 +87,12 @@ class MeshLoader {
 template <class Scene, class F>
 void for_each_shape(Scene& scene, F f) {
   auto& simulation = scene.simulation;
-  for (std::size_t i = 0; i < simulation.fluid.volumes.size(); ++i) {
+  for (std::size_t i = 0; i < simulation.fluid.volumes.size(); ++i)
     f(simulation.fluid.volumes[i].shape, child_path("fluid.volumes", i));
-  }
-  for (std::size_t i = 0; i < simulation.obstacles.size(); ++i) {
+  for (std::size_t i = 0; i < simulation.obstacles.size(); ++i)
     f(simulation.obstacles[i].shape, child_path("obstacles", i));
-  }
-  for (std::size_t i = 0; i < simulation.sinks.size(); ++i) {
+  for (std::size_t i = 0; i < simulation.sinks.size(); ++i)
     f(simulation.sinks[i].shape, child_path("sinks", i));
-  }
 }
 
 }  // namespace
@@ -113,13 +109,12 @@ std::vector<Complaint> mesh_warnings(const Scene& scene) {
   for_each_shape(scene, [&](const sim::Shape& shape, const std::string& path) {
     const auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
     const std::size_t shells = mesh ? geometry::inner_shells(mesh->body->surface()) : 0;
-    if (shells > 0) {
+    if (shells > 0)
       warnings.push_back(
           {child_path(path, "mesh"),
            fmt::format(
                "{} has {} inner shell{}: what is within {} is hollow, whichever way triangles face",
                mesh->file, shells, shells == 1 ? "" : "s", shells == 1 ? "it" : "them")});
-    }
   });
   return warnings;
 }

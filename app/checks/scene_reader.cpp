@@ -27,16 +27,14 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
                   const Overrides& overrides) {
   SceneDocument document(text, source.string());
   const Json defaults = to_json(Scene{});
-  for (const std::string& assignment : overrides) {
+  for (const std::string& assignment : overrides)
     document.override_value(assignment, defaults);
-  }
   Scene scene;
   scene.name = source.stem().string();
   read_document(document, scene);
   auto& fluid = scene.simulation.fluid;
-  if (!fluid.emitters.empty() && !document.root().at("fluid").contains("volumes")) {
+  if (!fluid.emitters.empty() && !document.root().at("fluid").contains("volumes"))
     fluid.volumes.clear();  // the column that stands where nothing is said
-  }
   load_meshes(scene, document, source.parent_path());
   check_scene(scene, document);
   return scene;

@@ -28,9 +28,8 @@ class Warnings {
   std::vector<Complaint> take() {
     look_at_volumes();
     look_at_obstacles();
-    for (std::size_t i = 0; i < settings_.fluid.emitters.size(); ++i) {
+    for (std::size_t i = 0; i < settings_.fluid.emitters.size(); ++i)
       look_at_emitter(settings_.fluid.emitters[i], child_path("fluid.emitters", i));
-    }
     look_at_speed_of_sound();
     return std::move(found_);
   }
@@ -41,14 +40,12 @@ class Warnings {
   }
 
   void look_at_volumes() {
-    if (!is_cheap_to_fill(settings_)) {
+    if (!is_cheap_to_fill(settings_))
       return;
-    }
     const double each = std::pow(double{sim::particle_spacing(settings_)}, 3);
     const std::vector<sim::FilledVolume> filled = sim::count_volumes(settings_);
-    for (std::size_t i = 0; i < filled.size(); ++i) {
+    for (std::size_t i = 0; i < filled.size(); ++i)
       look_at_volume(filled[i], each, i);
-    }
   }
 
   /// @param each what one particle stands for, m³
@@ -81,13 +78,11 @@ class Warnings {
   /// the scene, c the speed of sound (Monaghan 1994).
   void look_at_speed_of_sound() {
     const float given = settings_.solver.speed_of_sound;
-    if (settings_.solver.type != sim::SolverType::sph || given <= 0) {
+    if (settings_.solver.type != sim::SolverType::sph || given <= 0)
       return;
-    }
     sim::InitialParticles start;
-    for (const sim::Volume& volume : settings_.fluid.volumes) {
+    for (const sim::Volume& volume : settings_.fluid.volumes)
       start.velocities.push_back(volume.velocity);
-    }
     const float enough = sim::default_speed_of_sound(settings_, start);
     if (given < 0.999f * enough) {
       add("solver.speed_of_sound",
@@ -100,24 +95,20 @@ class Warnings {
   }
 
   void look_at_obstacles() {
-    for (std::size_t k = 0; k < settings_.obstacles.size(); ++k) {
-      if (!ever_in_domain(settings_.obstacles[k])) {
+    for (std::size_t k = 0; k < settings_.obstacles.size(); ++k)
+      if (!ever_in_domain(settings_.obstacles[k]))
         add(child_path("obstacles", k), "is outside the domain all the time, where no liquid is");
-      }
-    }
   }
 
   bool ever_in_domain(const sim::Obstacle& obstacle) const {
     const sim::Box domain{settings_.domain.min, settings_.domain.max};
     const sim::Box bounds = sim::bounds_of(obstacle.shape);
-    if (!obstacle.motion) {
+    if (!obstacle.motion)
       return !sim::is_apart(bounds, domain);
-    }
     for (int frame = 0; frame <= scene_.video.frame_count(); ++frame) {
       const double time = scene_.video.frames_per_second.time_of(frame);
-      if (!sim::is_apart(sim::bounds_at(sim::pose_at(obstacle, time), bounds), domain)) {
+      if (!sim::is_apart(sim::bounds_at(sim::pose_at(obstacle, time), bounds), domain))
         return true;
-      }
     }
     return false;
   }
@@ -138,12 +129,10 @@ class Warnings {
     std::vector<std::size_t> taken(settings_.fluid.volumes.size());
     for (std::uint32_t point = 0; point < nozzle.layer_size(); ++point) {
       const glm::vec3 p = nozzle.position(nozzle.layer_count() - 1, point, entry);
-      if (bodies.part_inside(p, glm::vec3(spacing)).inside > 0.5) {
+      if (bodies.part_inside(p, glm::vec3(spacing)).inside > 0.5)
         continue;
-      }
-      for (std::size_t k = 0; k < taken.size(); ++k) {
+      for (std::size_t k = 0; k < taken.size(); ++k)
         taken[k] += sim::is_inside(settings_.fluid.volumes[k].shape, p);
-      }
     }
     for (std::size_t k = 0; k < taken.size(); ++k) {
       if (2 * taken[k] > nozzle.layer_size()) {
@@ -164,16 +153,14 @@ class Warnings {
 
 std::vector<Complaint> warnings_of(const Scene& scene) {
   std::vector<Complaint> found = mesh_warnings(scene);
-  for (Complaint& warning : Warnings(scene).take()) {
+  for (Complaint& warning : Warnings(scene).take())
     found.push_back(std::move(warning));
-  }
   return found;
 }
 
 void print_warnings(const Scene& scene) {
-  for (const Complaint& warning : warnings_of(scene)) {
+  for (const Complaint& warning : warnings_of(scene))
     tell_warning(fmt::format("{}: {}", warning.path, warning.message));
-  }
 }
 
 }  // namespace spindrift::app

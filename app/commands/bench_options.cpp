@@ -78,9 +78,8 @@ int run_typed_bench(const TypedBench& typed) {
   replace(plan.tolerance_factors, typed.tolerance_factors);
   replace(plan.time_step_factors, typed.time_step_factors);
   replace(plan.particle_counts, typed.particle_counts);
-  if (!typed.particle_counts.empty()) {
+  if (!typed.particle_counts.empty())
     plan.thread_scaling_particles = typed.particle_counts.back();
-  }
   std::vector<sim::SolverType> solvers;
   for (const std::string& name : typed.solvers) {
     const auto& names = value_names<sim::SolverType>;

@@ -13,9 +13,8 @@ namespace {
 
 /// With no more digits than an estimate has.
 std::string rough_duration_text(double seconds) {
-  if (seconds < 100.) {
+  if (seconds < 100.)
     return fmt::format("{:.0f} s", seconds + 0.5);
-  }
   return seconds < 6000. ? fmt::format("{:.0f} min", seconds / 60.)
                          : fmt::format("{:.1f} h", seconds / 3600.);
 }
@@ -23,18 +22,16 @@ std::string rough_duration_text(double seconds) {
 }  // namespace
 
 int run_check(const Scene& scene, int threads, bool quiet, bool json) {
-  if (quiet) {
+  if (quiet)
     return done;
-  }
   const Estimate cost = estimate(scene, threads);
   const DiskEstimate disk = disk_estimate(scene, {}, cost);
   const nlohmann::ordered_json resolved = to_json(scene);
   const std::vector<Complaint> warnings = warnings_of(scene);
   if (json) {
     nlohmann::ordered_json told = nlohmann::ordered_json::array();
-    for (const Complaint& warning : warnings) {
+    for (const Complaint& warning : warnings)
       told.push_back({{"path", warning.path}, {"message", warning.message}});
-    }
     const nlohmann::ordered_json report{
         {"scene", resolved},
         {"simulation_hash", simulation_hash(scene)},
@@ -63,9 +60,8 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              bytes_text(disk.video));
   fmt::print("time        roughly {} with {} thread{}\n", rough_duration_text(cost.seconds),
              threads, threads == 1 ? "" : "s");
-  for (const Complaint& warning : warnings) {
+  for (const Complaint& warning : warnings)
     fmt::print("warning     {}: {}\n", warning.path, warning.message);
-  }
   return done;
 }
 

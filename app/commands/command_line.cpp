@@ -74,18 +74,16 @@ void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::str
 }
 
 int parse_frame_number(const std::string& text, int if_empty) {
-  if (text.empty()) {
+  if (text.empty())
     return if_empty;
-  }
   const bool digits = text.size() < 9 && text.find_first_not_of("0123456789") == std::string::npos;
   return digits ? std::stoi(text) : -1;
 }
 
 /// "a:b" with either side left out for the first or last frame; "a" alone is that frame.
 std::optional<FrameRange> parse_frames(const std::string& text, int frame_count) {
-  if (text.empty()) {
+  if (text.empty())
     return std::nullopt;
-  }
   const auto colon = text.find(':');
   const std::string first = text.substr(0, colon);
   const std::string last = colon == std::string::npos ? first : text.substr(colon + 1);
@@ -99,21 +97,18 @@ std::optional<FrameRange> parse_frames(const std::string& text, int frame_count)
 
 std::string quoted_for_shell(const std::string& word) {
   const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
     return word;
-  }
   std::string result = "'";
-  for (const char c : word) {
+  for (const char c : word)
     result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
   return result + "'";
 }
 
 std::string command_as_typed(int argc, const char* const* argv) {
   std::vector<std::string> words;
-  for (int i = 0; i < argc; ++i) {
+  for (int i = 0; i < argc; ++i)
     words.push_back(quoted_for_shell(argv[i]));
-  }
   return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -156,9 +151,8 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   options.quiet = typed.quiet;
   options.json = typed.json;
   options.command_line_hint = hint;
-  if (!typed.quiet && !options.from_particles) {
+  if (!typed.quiet && !options.from_particles)
     print_warnings(scene);
-  }
   return run_render(scene, options);
 }
 
@@ -191,9 +185,8 @@ int run_help(const CLI::App& app, const std::string& command) {
 std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
   const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error);
   const auto unknown = app.remaining(true);
-  if (!extras || unknown.empty()) {
+  if (!extras || unknown.empty())
     return error.what();
-  }
   const std::string& word = unknown.front();
   const auto chosen = app.get_subcommands();
   if (!word.starts_with("-")) {
@@ -202,11 +195,9 @@ std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
     return fmt::format("\"{}\" is one word too many", shown(word));
   }
   std::vector<std::string> names;
-  for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options()) {
-    for (const std::string& name : option->get_lnames()) {
+  for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options())
+    for (const std::string& name : option->get_lnames())
       names.push_back("--" + name);
-    }
-  }
   return fmt::format("unknown option {}; {}", shown(word),
                      suggestion(word, std::vector<std::string_view>(names.begin(), names.end())));
 }
@@ -277,42 +268,30 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
     set_threads(command, typed.threads);
   set_threads(bench, typed_bench.threads);
   set_threads(sweep, typed_sweep.threads);
-  if (render->parsed() || simulate->parsed()) {
+  if (render->parsed() || simulate->parsed())
     return run_typed_render(typed, simulate->parsed(), command_as_typed(argc, argv));
-  }
-  if (check->parsed()) {
+  if (check->parsed())
     return run_check(typed_scene(typed), typed.threads, typed.quiet, typed.json);
-  }
-  if (bench->parsed()) {
+  if (bench->parsed())
     return run_typed_bench(typed_bench);
-  }
-  if (bench_run->parsed()) {
+  if (bench_run->parsed())
     return run_bench_child();
-  }
-  if (sweep->parsed()) {
+  if (sweep->parsed())
     return run_typed_sweep(typed_sweep, command_as_typed(argc, argv));
-  }
-  if (sweep_job->parsed()) {
+  if (sweep_job->parsed())
     return run_sweep_job();
-  }
-  if (compare->parsed()) {
+  if (compare->parsed())
     return run_compare(compare_options);
-  }
-  if (golden->parsed()) {
+  if (golden->parsed())
     return run_golden(golden_options);
-  }
-  if (cache->parsed()) {
+  if (cache->parsed())
     return run_typed_cache(typed_cache);
-  }
-  if (info->parsed()) {
+  if (info->parsed())
     return run_info(typed.json);
-  }
-  if (schema->parsed()) {
+  if (schema->parsed())
     return run_schema(typed.of_sweeps);
-  }
-  if (help->parsed()) {
+  if (help->parsed())
     return run_help(app, typed.command);
-  }
   if (version->parsed()) {
     fmt::print("{}\n", version_text);
     return done;
@@ -337,9 +316,8 @@ int run_command_line(int argc, const char* const* argv) {
     try {
       return run_parsed(app, argc, argv);
     } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() == 0) {  // --help and --version
+      if (error.get_exit_code() == 0)  // --help and --version
         return app.exit(error);
-      }
       throw UsageError(usage_message(app, error));
     }
   } catch (const UsageError& error) {
@@ -349,9 +327,8 @@ int run_command_line(int argc, const char* const* argv) {
   } catch (const InputError& error) {
     return tell_error(bad_usage, error.what(), json);
   } catch (const std::system_error& error) {
-    if (error.code() == std::errc::broken_pipe) {
+    if (error.code() == std::errc::broken_pipe)
       return run_failed;  // who was to read it has heard enough
-    }
     return tell_error(run_failed, error.what(), json);
   } catch (const std::exception& error) {
     return tell_error(run_failed, reason_of(error), json);

@@ -9,9 +9,8 @@ namespace spindrift::app {
 
 Mesh tessellate(std::span<const sim::Obstacle> obstacles) {
   geometry::Tessellation all;
-  for (const sim::Obstacle& obstacle : obstacles) {
+  for (const sim::Obstacle& obstacle : obstacles)
     geometry::tessellate(all, obstacle.shape);
-  }
   return {std::move(all.vertices), std::move(all.normals), std::move(all.triangles)};
 }
 
@@ -33,9 +32,8 @@ Mesh ObstacleMeshes::at(double time) const {
       all.vertices.push_back(moves ? glm::vec3(pose(vertex)) : vertex);
       all.normals.push_back(moves ? glm::vec3(pose.rotation * glm::dvec3(normal)) : normal);
     }
-    for (const glm::uvec3& triangle : part.mesh.triangles) {
+    for (const glm::uvec3& triangle : part.mesh.triangles)
       all.triangles.push_back(triangle + first);
-    }
   }
   return all;
 }
@@ -43,9 +41,8 @@ Mesh ObstacleMeshes::at(double time) const {
 std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> instants) const {
   glm::dvec3 low(1e30), high(-1e30);
   for (const Part& part : parts_) {
-    if (!part.obstacle.motion) {
+    if (!part.obstacle.motion)
       continue;
-    }
     const sim::Box box = sim::bounds_of(part.obstacle.shape);
     for (const double time : instants) {
       const sim::Pose pose = sim::pose_at(part.obstacle, time);
@@ -58,9 +55,8 @@ std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> instants) c
       }
     }
   }
-  if (!moves_ || instants.empty()) {
+  if (!moves_ || instants.empty())
     return {};
-  }
   const double rounding = 1e-4 * glm::distance(low, high);
   return {glm::vec3(low - rounding), glm::vec3(high + rounding)};
 }

@@ -18,9 +18,8 @@ int edit_distance(std::string_view a, std::string_view b) {
       }
       const int replaced = cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, replaced});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
         cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
-      }
     }
   }
   return cost[a.size()][b.size()];
@@ -41,9 +40,8 @@ std::string_view nearest_name(std::string_view typed, std::span<const std::strin
 
 std::string suggestion(std::string_view typed, std::span<const std::string_view> names) {
   const std::string_view best = nearest_name(typed, names);
-  if (!best.empty()) {
+  if (!best.empty())
     return fmt::format("did you mean \"{}\"?", best);
-  }
   return fmt::format("accepted: {}", fmt::join(names, ", "));
 }
 

@@ -106,9 +106,8 @@ bool holds_control_characters(std::string_view text) {
 
 std::string litres_text(double volume) {
   const double litres = 1000. * volume;
-  if (!(litres >= 999.5) || litres >= 1e6) {
+  if (!(litres >= 999.5) || litres >= 1e6)
     return fmt::format("{:.3g}", litres);
-  }
   const double unit = litres < 1e4 ? 10. : litres < 1e5 ? 100. : 1000.;
   return fmt::format("{:.0f}", std::round(litres / unit) * unit);
 }

@@ -16,9 +16,8 @@ constexpr int most_levels = 64;
 nlohmann::ordered_json json_in(const std::filesystem::path& file) {
   try {
     const auto shallow = [](int level, auto, auto&) {
-      if (level > most_levels) {
+      if (level > most_levels)
         throw std::runtime_error("nested too deeply");
-      }
       return true;
     };
     auto json = nlohmann::ordered_json::parse(output::read_file(file), shallow, false);

@@ -36,11 +36,9 @@ std::string similar_file(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::vector<std::string> there;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none)) {
-    if (is_mesh_file(entry.path())) {
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (is_mesh_file(entry.path()))
       there.push_back(entry.path().filename().string());
-    }
-  }
   std::sort(there.begin(), there.end());
   const std::vector<std::string_view> names(there.begin(), there.end());
   const std::string_view nearest = nearest_name(file.filename().string(), names);
@@ -61,13 +59,11 @@ std::string bytes_of(const fs::path& file) {
 }  // namespace
 
 geometry::TriangleSurface read_mesh_file(const fs::path& file) {
-  if (!is_mesh_file(file)) {
+  if (!is_mesh_file(file))
     throw MeshError("is not named .obj or .ply, the files that are read");
-  }
   std::error_code none;
-  if (!fs::exists(file, none)) {
+  if (!fs::exists(file, none))
     throw MeshError(fmt::format("there is no such file{}", similar_file(file)));
-  }
   const std::string bytes = bytes_of(file);
   return ending(file) == ".obj" ? read_obj(bytes) : read_ply(bytes);
 }
@@ -76,9 +72,8 @@ std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
   text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) {
+  if (line.ends_with('\r'))
     line.remove_suffix(1);
-  }
   return line;
 }
 

@@ -57,9 +57,8 @@ glm::vec3 read_vertex(std::string_view rest) {
 /// @param before so many vertices stand before the face @param all so many are in the file
 std::uint32_t read_corner(std::string_view word, std::size_t before, std::size_t all) {
   const auto number = number_of<std::int64_t>(word.substr(0, word.find('/')));
-  if (!number) {
+  if (!number)
     throw MeshError(fmt::format("\"{}\" is not a vertex's number", shown(word)));
-  }
   const auto count = static_cast<std::int64_t>(*number < 0 ? before : all);
   if (*number == 0 || *number > count || *number < -count) {
     throw MeshError(fmt::format("there is no vertex {}; accepted: 1 ... {} and -{} ... -1", *number,
@@ -73,13 +72,11 @@ std::uint32_t read_corner(std::string_view word, std::size_t before, std::size_t
 geometry::TriangleSurface read_obj(std::string_view text) {
   geometry::TriangleSurface surface;
   for_each_line(text, [&](std::string_view keyword, std::string_view rest) {
-    if (keyword == "v") {
+    if (keyword == "v")
       surface.vertices.push_back(read_vertex(rest));
-    }
   });
-  if (surface.vertices.size() > std::numeric_limits<std::uint32_t>::max()) {
+  if (surface.vertices.size() > std::numeric_limits<std::uint32_t>::max())
     throw MeshError("has more vertices than can be counted in 32 bits");
-  }
   std::size_t before = 0;
   std::vector<std::uint32_t> corners;
   for_each_line(text, [&](std::string_view keyword, std::string_view rest) {
@@ -88,9 +85,8 @@ geometry::TriangleSurface read_obj(std::string_view text) {
     } else if (keyword == "f") {
       corners.clear();
       for (std::string_view word = take_word(rest); !word.empty() && word.front() != '#';
-           word = take_word(rest)) {
+           word = take_word(rest))
         corners.push_back(read_corner(word, before, surface.vertices.size()));
-      }
       geometry::cut_polygon(surface.vertices, corners, surface.triangles);
     }
   });

@@ -72,16 +72,14 @@ class PlyHeaderReader {
   explicit PlyHeaderReader(std::string_view& bytes) : bytes_(bytes) {}
 
   PlyHeader read() {
-    if (std::string_view line = take_line(bytes_); take_word(line) != "ply") {
+    if (std::string_view line = take_line(bytes_); take_word(line) != "ply")
       throw MeshError("is not a PLY: its first line is not \"ply\"");
-    }
     for (line_ = 2; bytes_.find('\n') != bytes_.npos; ++line_) {
       std::string_view line = take_line(bytes_);
       const std::string_view keyword = take_word(line);
       if (keyword == "end_header") {
-        if (!has_format_) {
+        if (!has_format_)
           fail("there is no line \"format\" before it");
-        }
         return std::move(header_);
       }
       read(keyword, line);
@@ -98,15 +96,14 @@ class PlyHeaderReader {
   }
 
   void read(std::string_view keyword, std::string_view rest) {
-    if (keyword == "format") {
+    if (keyword == "format")
       read_format(rest);
-    } else if (keyword == "element") {
+    else if (keyword == "element")
       read_element(rest);
-    } else if (keyword == "property") {
+    else if (keyword == "property")
       read_property(rest);
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    else if (keyword != "comment" && keyword != "obj_info")
       fail(fmt::format("\"{}\" is not a line of a PLY's header", shown(keyword)));
-    }
   }
 
   void read_format(std::string_view rest) {
@@ -127,23 +124,20 @@ class PlyHeaderReader {
   void read_element(std::string_view rest) {
     const std::string_view name = take_word(rest), count = take_word(rest);
     const auto number = number_of<std::uint64_t>(count);
-    if (name.empty() || !number) {
+    if (name.empty() || !number)
       fail(fmt::format("\"{}\" is not a number of elements", shown(count)));
-    }
     header_.elements.push_back({name, *number});
   }
 
   void read_property(std::string_view rest) {
-    if (header_.elements.empty()) {
+    if (header_.elements.empty())
       fail("a property before the first element");
-    }
     PlyProperty property{};
     std::string_view word = take_word(rest);
     if (word == "list") {
       property.count = type(take_word(rest));
-      if (!property.count->whole) {
+      if (!property.count->whole)
         fail("a list's length must be of a type of whole numbers");
-      }
       word = take_word(rest);
     }
     property.type = type(word);
@@ -152,11 +146,9 @@ class PlyHeaderReader {
   }
 
   const PlyType* type(std::string_view name) const {
-    for (const PlyType& type : ply_types) {
-      if (name == type.name || name == type.other_name) {
+    for (const PlyType& type : ply_types)
+      if (name == type.name || name == type.other_name)
         return &type;
-      }
-    }
     fail(
         fmt::format("unknown type \"{}\"; accepted: char, uchar, short, ushort, int, uint, float "
                     "and double",
@@ -189,13 +181,11 @@ class PlyBody {
   /// The length of a list, whose entries there is room for.
   std::uint64_t next_length(const PlyProperty& list) {
     const double length = next(*list.count);
-    if (length < 0) {
+    if (length < 0)
       fail(fmt::format("a list of {} entries", length));
-    }
     const auto count = static_cast<std::uint64_t>(length);
-    if (!has(count, encoding_ == PlyEncoding::text ? 2 : list.type->bytes)) {
+    if (!has(count, encoding_ == PlyEncoding::text ? 2 : list.type->bytes))
       fail_short(fmt::format("a list of {} entries", count));
-    }
     return count;
   }
 
@@ -216,33 +206,28 @@ class PlyBody {
     line_ += static_cast<std::size_t>(std::count(rest_.begin(), rest_.begin() + start, '\n'));
     rest_.remove_prefix(start);
     const std::string_view word = rest_.substr(0, rest_.find_first_of(spaces));
-    if (word.empty()) {
+    if (word.empty())
       fail_short("a number");
-    }
     const auto number = number_of<double>(word);
-    if (!number) {
+    if (!number)
       fail(fmt::format("\"{}\" is not a number", shown(word)));
-    }
     const bool fits = !type.whole || (*number >= type.min() && *number <= type.max() &&
                                       std::floor(*number) == *number);
-    if (!fits) {
+    if (!fits)
       fail(fmt::format("{} is not of the type {}", shown(word), type.name));
-    }
     rest_.remove_prefix(word.size());
     return *number;
   }
 
   double next_in_binary(const PlyType& type) {
     std::array<char, 8> bytes{};
-    if (rest_.size() < type.bytes) {
+    if (rest_.size() < type.bytes)
       fail_short("a number");
-    }
     std::copy_n(rest_.begin(), type.bytes, bytes.begin());
     rest_.remove_prefix(type.bytes);
     const bool little = std::endian::native == std::endian::little;
-    if ((encoding_ == PlyEncoding::little_endian) != little) {
+    if ((encoding_ == PlyEncoding::little_endian) != little)
       std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.bytes));
-    }
     const auto as = [&]<class Number>(Number number) {
       std::memcpy(&number, bytes.data(), sizeof number);
       return static_cast<double>(number);
@@ -280,9 +265,8 @@ class PlySurfaceReader {
   geometry::TriangleSurface read(const std::vector<PlyElement>& elements) {
     for (const PlyElement& element : elements) {
       const std::size_t least = element.least_bytes(encoding_);
-      if (element.count > 0 && least == 0) {
+      if (element.count > 0 && least == 0)
         body_.fail(fmt::format("elements \"{}\" without a property", shown(element.name)));
-      }
       if (!body_.has(element.count, least)) {
         body_.fail_short(fmt::format("{} elements \"{}\" of at least {} each", element.count,
                                      shown(element.name), least));
@@ -299,18 +283,15 @@ class PlySurfaceReader {
     } else if (element.name == "face") {
       read_faces(element);
     } else {
-      for (std::uint64_t i = 0; i < element.count; ++i) {
-        for (const PlyProperty& property : element.properties) {
+      for (std::uint64_t i = 0; i < element.count; ++i)
+        for (const PlyProperty& property : element.properties)
           skip(property);
-        }
-      }
     }
   }
 
   void skip(const PlyProperty& property) {
-    for (std::uint64_t k = property.count ? body_.next_length(property) : 1; k > 0; --k) {
+    for (std::uint64_t k = property.count ? body_.next_length(property) : 1; k > 0; --k)
       body_.next(*property.type);
-    }
   }
 
   void read_vertices(const PlyElement& element) {
@@ -319,14 +300,11 @@ class PlySurfaceReader {
       const bool is_axis = !p.count && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z';
       axes.push_back(is_axis ? p.name[0] - 'x' : -1);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::count(axes.begin(), axes.end(), axis) != 1) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::count(axes.begin(), axes.end(), axis) != 1)
         body_.fail("its vertices need properties x, y and z, each once");
-      }
-    }
-    if (!surface_.vertices.empty() || element.count > std::numeric_limits<std::uint32_t>::max()) {
+    if (!surface_.vertices.empty() || element.count > std::numeric_limits<std::uint32_t>::max())
       body_.fail("it needs vertices once, and no more than can be counted in 32 bits");
-    }
     surface_.vertices.resize(element.count);
     for (glm::vec3& vertex : surface_.vertices) {
       for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -345,9 +323,8 @@ class PlySurfaceReader {
       return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     const auto& properties = element.properties;
-    if (std::count_if(properties.begin(), properties.end(), is_face) != 1) {
+    if (std::count_if(properties.begin(), properties.end(), is_face) != 1)
       body_.fail("its faces need a list \"vertex_indices\"");
-    }
     std::vector<std::uint32_t> corners;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (const PlyProperty& property : properties) {

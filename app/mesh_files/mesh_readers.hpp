@@ -22,9 +22,8 @@ geometry::TriangleSurface read_ply(std::string_view bytes);
 /// A whole word as a number; none where it is not one, or is out of the type's range.
 template <class Number>
 std::optional<Number> number_of(std::string_view word) {
-  if (word.starts_with('+')) {
+  if (word.starts_with('+'))
     word.remove_prefix(1);
-  }
   Number number{};
   const char* end = word.data() + word.size();
   const auto [at, error] = std::from_chars(word.data(), end, number);

@@ -65,12 +65,11 @@ Url Url::of_file(const std::filesystem::path& file) {
   while (path.starts_with("//"))  // what follows two slashes would be a host
     path.remove_prefix(1);
   std::string text;
-  for (const char c : path) {
+  for (const char c : path)
     if (plain_in_path(c))
       text += c;
     else
       text += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
   return Url(std::move(text));
 }
 
@@ -184,12 +183,11 @@ void PageTemplate::fill_piece(const Part& piece, const PageValues& values, const
     if (!piece.names.contains(name))
       refuse_template(fmt::format("the value {} has no place", name));
   const Scope scope{values, around};
-  for (const Part& part : piece.parts) {
+  for (const Part& part : piece.parts)
     if (part.kind == Kind::markup)
       page += part.text;
     else
       fill_place(part, scope, page);
-  }
 }
 
 void PageTemplate::fill_place(const Part& place, const Scope& scope, std::string& page) {

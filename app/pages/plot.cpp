@@ -15,12 +15,11 @@ namespace {
 /// characters, of which a line's end would end the command; they become spaces.
 std::string quoted_for_gnuplot(const std::string& text) {
   std::string taken;
-  for (const char c : text) {
+  for (const char c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       taken += ' ';
     else
       taken.append(c == '\'' ? 2 : 1, c);
-  }
   return fmt::format("'{}'", taken);
 }
 

@@ -121,12 +121,11 @@ std::string particles_of(const Scene& scene, const RenderOptions& options) {
 /// Numbers of frames as ranges, both ends included: [[0, 2], [5, 9]].
 Json ranges_of(const std::vector<RunFile>& files) {
   Json ranges = Json::array();
-  for (const RunFile& file : files) {
+  for (const RunFile& file : files)
     if (!ranges.empty() && ranges.back()[1] == file.first - 1)
       ranges.back()[1] = file.first;
     else
       ranges.push_back({file.first, file.first});
-  }
   return ranges;
 }
 

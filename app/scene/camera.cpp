@@ -73,14 +73,12 @@ gl::View view_of(const Numbers& n) {
 gl::View view_at(const CameraSettings& camera, const sim::DomainSettings& domain, float aspect,
                  double time) {
   const auto& keys = camera.keyframes;
-  if (keys.empty()) {
+  if (keys.empty())
     return frame_box(domain.min, domain.max, aspect);
-  }
   const auto numbers = sim::numbers_at(keys, time, numbers_of, false);
   Numbers result{};
-  for (std::size_t c = 0; c < result.size(); ++c) {
+  for (std::size_t c = 0; c < result.size(); ++c)
     result[c] = static_cast<float>(numbers[c]);
-  }
   return view_of(result);
 }
 

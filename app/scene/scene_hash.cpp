@@ -18,9 +18,8 @@ __extension__ typedef unsigned __int128 Bits128;
 Bits128 fnv1a(std::string_view text) {
   const Bits128 prime = (Bits128{1} << 88) + 0x13b;
   Bits128 hash = (Bits128{0x6c62272e07bb0142u} << 64) + 0x62b821756295c58du;
-  for (const char c : text) {
+  for (const char c : text)
     hash = (hash ^ static_cast<unsigned char>(c)) * prime;
-  }
   return hash;
 }
 
@@ -47,15 +46,12 @@ void name_by_content(const sim::Shape& shape, Json& json) {
 
 std::string simulation_hash(const Scene& scene) {
   Json what = json_of(scene.simulation);
-  for (std::size_t i = 0; i < scene.simulation.fluid.volumes.size(); ++i) {
+  for (std::size_t i = 0; i < scene.simulation.fluid.volumes.size(); ++i)
     name_by_content(scene.simulation.fluid.volumes[i].shape, what["fluid"]["volumes"][i]);
-  }
-  for (std::size_t i = 0; i < scene.simulation.obstacles.size(); ++i) {
+  for (std::size_t i = 0; i < scene.simulation.obstacles.size(); ++i)
     name_by_content(scene.simulation.obstacles[i].shape, what["obstacles"][i]);
-  }
-  for (std::size_t i = 0; i < scene.simulation.sinks.size(); ++i) {
+  for (std::size_t i = 0; i < scene.simulation.sinks.size(); ++i)
     name_by_content(scene.simulation.sinks[i].shape, what["sinks"][i]);
-  }
   // The backends' particles differ by rounding; the processor's are not named.
   what["solver"].erase("backend");
   if (sim::choose_backend(scene.simulation).backend == sim::Backend::cuda)

@@ -43,9 +43,8 @@ Json schema_of(const glm::vec3*, const Range& range) {
 template <class E>
 requires std::is_enum_v<E> Json schema_of(const E*, const Range&) {
   Json names = Json::array();
-  for (const std::string_view name : value_names<E>) {
+  for (const std::string_view name : value_names<E>)
     names.push_back(name);
-  }
   return {{"enum", names}};
 }
 
@@ -84,9 +83,8 @@ Json field_schema(const FieldType& field) {
                                              : fmt::format("{} ({})", field.about, field.unit);
   schema.update(schema_for<Value>(field.range));
   if constexpr (!Section<Value> && !is_optional<Value>) {
-    if (field.presence == Presence::optional && !std::is_same_v<Value, std::string>) {
+    if (field.presence == Presence::optional && !std::is_same_v<Value, std::string>)
       schema["default"] = json_of(T{}.*field.member);
-    }
   }
   return schema;
 }
@@ -101,9 +99,8 @@ void put_properties(Json& schema) {
       put_properties<Value>(schema);
     } else {
       schema["properties"][std::string(field.key)] = field_schema<T>(field);
-      if (field.presence == Presence::required) {
+      if (field.presence == Presence::required)
         schema["required"].push_back(field.key);
-      }
     }
   });
 }

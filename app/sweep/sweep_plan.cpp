@@ -30,16 +30,15 @@ std::string last_part(const std::string& key) {
 /// A value as a part of a folder's name. What can't be told from it is told by a hash.
 std::string name_of(const Json& value) {
   std::string text;
-  if (value.is_string()) {
+  if (value.is_string())
     text = value.get<std::string>();
-  } else if (value.is_number()) {
+  else if (value.is_number())
     text = fmt::format("{}", value.get<double>());  // 1.0 is 1
-  } else if (value.is_array()) {
+  else if (value.is_array())
     for (const Json& entry : value)
       text += fmt::format("{}{}", text.empty() ? "" : "_", name_of(entry));
-  } else {
+  else
     text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-  }
   const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.+-";
   const bool readable = !text.empty() && text.find_first_not_of(plain) == std::string::npos &&
                         text.size() <= most_letters;

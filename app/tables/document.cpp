@@ -16,13 +16,11 @@ constexpr std::size_t longest_part = 60;  // letters, of a key in a path
 /// "fluid.volumes[0].velocity" as fluid, volumes, 0, velocity.
 std::vector<std::string> split_key(std::string_view key) {
   std::vector<std::string> parts(1);
-  for (const char c : key) {
-    if (c == '.' || c == '[') {
+  for (const char c : key)
+    if (c == '.' || c == '[')
       parts.emplace_back();
-    } else if (c != ']') {
+    else if (c != ']')
       parts.back() += c;
-    }
-  }
   return parts;
 }
 
@@ -33,11 +31,9 @@ bool is_index(const std::string& part) {
 
 /// A key of one of the scene's sections, if it was typed without the section's name; else nothing.
 std::string with_section(const std::string& key, const Json& defaults) {
-  for (const auto& [section, values] : defaults.items()) {
-    if (!defaults.contains(key) && values.is_object() && values.contains(key)) {
+  for (const auto& [section, values] : defaults.items())
+    if (!defaults.contains(key) && values.is_object() && values.contains(key))
       return child_path(section, key);
-    }
-  }
   return {};
 }
 
@@ -60,12 +56,10 @@ class OverridePath {
         at_(at) {}
 
   void go_to(const std::string& part) {
-    if (part.empty()) {
+    if (part.empty())
       fail("a name is missing in the key");
-    }
-    if (!path_.empty() && positions_->at.line != 0) {
+    if (!path_.empty() && positions_->at.line != 0)
       positions_->at = at_;  // what has a changed part is no longer the file's alone
-    }
     if (json_->is_array() && is_index(part)) {
       go_to_entry(std::stoul(part));
     } else if (json_->is_object() || json_->is_null()) {
@@ -87,12 +81,10 @@ class OverridePath {
   }
 
   void go_to_entry(std::size_t index) {
-    if (index > json_->size()) {
+    if (index > json_->size())
       fail(fmt::format("{} has {} entries; the next is [{}]", path_, json_->size(), json_->size()));
-    }
-    if (index == json_->size()) {
+    if (index == json_->size())
       json_->push_back(Json());
-    }
     fallback_ = nullptr;
     path_ = child_path(path_, index);
     json_ = &(*json_)[index];
@@ -107,16 +99,14 @@ class OverridePath {
     go_to_positions(number_of(*json_, key));
     path_ = child_path(path_, key);
     json_ = &member;
-    if (absent && fallback_ && fallback_->is_array()) {
+    if (absent && fallback_ && fallback_->is_array())
       *json_ = *fallback_;
-    }
   }
 
   void go_to_positions(std::size_t k) {
     auto& parts = positions_->parts;
-    if (parts.size() <= k) {
+    if (parts.size() <= k)
       parts.resize(k + 1, JsonPositions{positions_->at, {}});
-    }
     positions_ = &parts[k];
   }
 
@@ -148,9 +138,8 @@ Json typed_value(const std::string& typed, const Place& place) {
   try {
     return parse_json(typed).json;
   } catch (const JsonError& error) {
-    if (error.kind() == JsonError::refused) {
+    if (error.kind() == JsonError::refused)
       throw SceneError(Problem{place, {}, error.what()});
-    }
     return typed;
   }
 }
@@ -173,21 +162,17 @@ void SceneDocument::override_value(const std::string& assignment, const Json& de
   };
   const auto equals = assignment.find('=');
   const std::string key = trimmed(assignment.substr(0, equals));
-  if (equals == std::string::npos || key.empty()) {
+  if (equals == std::string::npos || key.empty())
     fail("", "expected KEY=VALUE, as in --set fluid.viscosity=0.05");
-  }
-  if (const std::string full = with_section(key, defaults); !full.empty()) {
+  if (const std::string full = with_section(key, defaults); !full.empty())
     fail(key, fmt::format("unknown key; did you mean \"{}\"?", full));
-  }
   const std::vector<std::string> parts = split_key(key);
-  if (parts.size() > most_json_levels) {
+  if (parts.size() > most_json_levels)
     fail(key, fmt::format("nested too deep; at most {} levels are accepted", most_json_levels));
-  }
   Json value = typed_value(trimmed(assignment.substr(equals + 1)), place);
   OverridePath at(parsed_, defaults, place, {0, number});
-  for (const std::string& part : parts) {
+  for (const std::string& part : parts)
     at.go_to(part);
-  }
   at.set(std::move(value));
 }
 
@@ -207,9 +192,8 @@ Problem SceneDocument::problem(std::string path, std::string message) const {
       const std::size_t k = json->is_object()                    ? number_of(*json, part)
                             : json->is_array() && is_index(part) ? std::stoul(part)
                                                                  : json->size();
-      if (k >= json->size() || k >= positions->parts.size()) {
+      if (k >= json->size() || k >= positions->parts.size())
         break;
-      }
       json = json->is_object() ? &json->get_ref<const Json::object_t&>().begin()[k].second
                                : &(*json)[k];
       positions = &positions->parts[k];
@@ -235,16 +219,14 @@ LocatedValue LocatedValue::member(std::size_t k) const {
 
 std::optional<LocatedValue> LocatedValue::find(std::string_view key) const {
   const std::size_t k = number_of(*json_, key);
-  if (k == json_->size()) {
+  if (k == json_->size())
     return std::nullopt;
-  }
   return member(k);
 }
 
 std::string LocatedValue::path() const {
-  if (is_root()) {
+  if (is_root())
     return {};
-  }
   return parent_->json_->is_array() ? child_path(parent_->path(), index_)
                                     : child_path(parent_->path(), shown(key_, longest_part));
 }

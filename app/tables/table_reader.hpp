@@ -100,11 +100,9 @@ class TableReader {
   void read_alternative(const LocatedValue& value, V& into, bool is_meant) {
     const auto& names = alternative_names<V>;
     std::vector<std::size_t> given;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (value.json().contains(names[i])) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (value.json().contains(names[i]))
         given.push_back(i);
-      }
-    }
     if (given.size() != 1) {
       if (!given.empty() || !is_meant)
         complain(value, fmt::format("expected one {} out of {}, found {}", variant_name<V>,

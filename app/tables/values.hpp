@@ -54,9 +54,8 @@ void put_fields(const T& section, Json& object) {
     using Value = std::remove_cvref_t<decltype(value)>;
     if (!field.key.empty()) {
       if constexpr (is_optional<Value>) {
-        if (value) {
+        if (value)
           object[std::string(field.key)] = json_of(*value);
-        }
       } else if constexpr (!Alternatives<Value>) {
         object[std::string(field.key)] = json_of(value);
       }
@@ -82,9 +81,8 @@ Json json_of(const T& section) {
 template <class T>
 Json json_of(const std::vector<T>& values) {
   Json list = Json::array();
-  for (const T& value : values) {
+  for (const T& value : values)
     list.push_back(json_of(value));
-  }
   return list;
 }
 

@@ -14,14 +14,14 @@ template <class Real>
 using Taps = std::vector<Real>;
 
 /// Rows are padded to a multiple of this.
-inline constexpr int kRowMultiple = 8;
+inline constexpr int row_multiple = 8;
 
 /// Numbers that are worked on at once, 32 bytes: one register with AVX, two with SSE.
 template <class Real>
 using Lanes __attribute__((vector_size(32))) = Real;
 
 inline int padded_width(int width) {
-  return (width + kRowMultiple - 1) / kRowMultiple * kRowMultiple;
+  return (width + row_multiple - 1) / row_multiple * row_multiple;
 }
 
 /// One value per pixel. Rows are padded, so that they can be read in whole lanes.
@@ -67,27 +67,27 @@ class RowFilter {
   explicit RowFilter(int width)
       : width_(width),
         stride_(padded_width(width)),
-        padded_(static_cast<std::size_t>(stride_) + 2 * kMargin) {}
+        padded_(static_cast<std::size_t>(stride_) + 2 * margin) {}
 
   /// Sets the row to row y of the plane, filtered with the taps over the rows above and below.
   void set(const Plane<Real>& plane, int y, const Taps<Real>& taps) {
-    Real* const row = &padded_[kMargin];
+    Real* const row = &padded_[margin];
     const int radius = static_cast<int>(taps.size() / 2);
     weighted_sum(
         taps, [&](int k) { return plane.row(y + k - radius); }, stride_, row);
-    std::fill(row - kMargin, row, row[0]);
+    std::fill(row - margin, row, row[0]);
     std::fill(row + width_, padded_.data() + padded_.size(), row[width_ - 1]);
   }
 
   /// The row filtered along itself; `out` has room for whole lanes.
   void filter(const Taps<Real>& taps, Real* out) const {
-    const Real* const first = &padded_[kMargin] - taps.size() / 2;
+    const Real* const first = &padded_[margin] - taps.size() / 2;
     weighted_sum(
         taps, [&](int k) { return first + k; }, stride_, out);
   }
 
  private:
-  static constexpr int kMargin = 16;  ///< the longest filters reach 10 pixels
+  static constexpr int margin = 16;  ///< the longest filters reach 10 pixels
 
   int width_, stride_;
   std::vector<Real> padded_;

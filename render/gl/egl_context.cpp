@@ -23,9 +23,8 @@ bool has_extension(const char* extensions, std::string_view name) {
   std::string_view rest = extensions ? extensions : "";
   while (!rest.empty()) {
     const auto end = std::min(rest.find(' '), rest.size());
-    if (rest.substr(0, end) == name) {
+    if (rest.substr(0, end) == name)
       return true;
-    }
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return false;
@@ -49,14 +48,12 @@ std::vector<EGLDeviceEXT> devices() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const bool enumerable = has_extension(client, "EGL_EXT_device_enumeration") ||
                           has_extension(client, "EGL_EXT_device_base");
-  if (!enumerable || !has_extension(client, "EGL_EXT_platform_device")) {
+  if (!enumerable || !has_extension(client, "EGL_EXT_platform_device"))
     return {};
-  }
   const auto query_devices = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
   EGLint count = 0;
-  if (!query_devices || !query_devices(0, nullptr, &count) || count <= 0) {
+  if (!query_devices || !query_devices(0, nullptr, &count) || count <= 0)
     return {};
-  }
   std::vector<EGLDeviceEXT> found(static_cast<std::size_t>(count));
   query_devices(count, found.data(), &count);
   found.resize(static_cast<std::size_t>(count));
@@ -70,9 +67,8 @@ EglDevice described(EGLDeviceEXT device) {
   EglDevice result{.software = has_extension(extensions, "EGL_MESA_device_software")};
   EGLAttrib number = 0;
   if (has_extension(extensions, "EGL_NV_device_cuda") && query_number &&
-      query_number(device, EGL_CUDA_DEVICE_NV, &number)) {
+      query_number(device, EGL_CUDA_DEVICE_NV, &number))
     result.cuda_device = static_cast<int>(number);
-  }
   return result;
 }
 
@@ -80,9 +76,8 @@ EglDevice described(EGLDeviceEXT device) {
 std::vector<Display> displays(std::optional<int> cuda_device) {
   const auto get_display =
       egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-  if (!get_display) {
+  if (!get_display)
     return {};
-  }
   const std::vector<EGLDeviceEXT> all = devices();
   std::vector<EglDevice> descriptions;
   std::transform(all.begin(), all.end(), std::back_inserter(descriptions), described);
@@ -123,23 +118,19 @@ EglContext::EglContext(std::optional<int> cuda_device) {
 }
 
 std::string EglContext::try_display(EGLDisplay display) {
-  if (!eglInitialize(display, nullptr, nullptr)) {
+  if (!eglInitialize(display, nullptr, nullptr))
     return "eglInitialize failed";
-  }
   const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
-  if (!has_extension(extensions, "EGL_KHR_surfaceless_context")) {
+  if (!has_extension(extensions, "EGL_KHR_surfaceless_context"))
     return "EGL_KHR_surfaceless_context is missing";
-  }
-  if (!eglBindAPI(EGL_OPENGL_API)) {
+  if (!eglBindAPI(EGL_OPENGL_API))
     return "desktop OpenGL is missing";
-  }
   const EGLint config_attributes[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                       EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
-  if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0) {
+  if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0)
     config = nullptr;  // EGL_NO_CONFIG_KHR: allowed where contexts need no config
-  }
   const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                        4,
                                        EGL_CONTEXT_MINOR_VERSION,
@@ -148,9 +139,8 @@ std::string EglContext::try_display(EGLDisplay display) {
                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                        EGL_NONE};
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
-  if (context == EGL_NO_CONTEXT) {
+  if (context == EGL_NO_CONTEXT)
     return "its driver has no OpenGL 4.5 core profile";
-  }
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
     eglDestroyContext(display, context);
     return "its context cannot be made current";
@@ -171,9 +161,8 @@ std::string EglContext::vendor() const {
 }
 
 EglContext::Current::Current(const EglContext& context) : display_(context.display_) {
-  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_)) {
+  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_))
     throw std::runtime_error("the OpenGL context cannot be made current on this thread");
-  }
 }
 
 EglContext::Current::~Current() {

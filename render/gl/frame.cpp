@@ -48,9 +48,8 @@ glm::mat4 view_to_clip(const View& view, const Stage& stage, float aspect) {
 }  // namespace
 
 glm::mat4 world_to_shadow(glm::vec3 light, float floor, const ShadowArea& area) {
-  if (area.empty()) {
+  if (area.empty())
     return glm::mat4(1.f);
-  }
   const glm::vec2 middle = 0.5f * (area.min + area.max);
   const glm::vec2 scale = 2.f / (area.max - area.min);
   const glm::vec2 slope(light.x / light.y, light.z / light.y);
@@ -65,9 +64,8 @@ glm::mat4 world_to_shadow(glm::vec3 light, float floor, const ShadowArea& area) 
 
 ShadowArea shadow_area(const LightSettings& light, const Stage& stage, const Bounds& casters) {
   const glm::vec3 direction = glm::normalize(light.direction);
-  if (direction.y > -lowest_light) {
+  if (direction.y > -lowest_light)
     return {};
-  }
   const float floor = stage.min.y;
   const glm::vec2 slope(direction.x / direction.y, direction.z / direction.y);
   const glm::vec2 low(casters.min.x, casters.min.z), high(casters.max.x, casters.max.z);

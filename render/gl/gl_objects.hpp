@@ -26,9 +26,8 @@ class Handle {
   } : id_(Kind::create(target)) {
   }
   ~Handle() {
-    if (id_ != 0) {
+    if (id_ != 0)
       Kind::destroy(id_);
-    }
   }
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
   Handle& operator=(Handle&& other) noexcept {

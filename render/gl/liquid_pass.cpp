@@ -45,9 +45,8 @@ LiquidPass::LiquidPass(int width, int height)
 void LiquidPass::measure(const MeshBuffers& liquid, const MeshBuffers* obstacles) {
   glViewport(0, 0, width_, height_);
   if (obstacles) {
-    if (!obstacle_range_) {
+    if (!obstacle_range_)
       obstacle_range_.emplace(width_, height_);
-    }
     obstacle_range_->measure(*obstacles);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, thickness_target_);
@@ -68,9 +67,8 @@ void LiquidPass::outline(const MeshBuffers& liquid, const MeshBuffers* obstacles
   glClear(GL_COLOR_BUFFER_BIT);
   if (obstacles) {
     glUseProgram(obstacle_normal_program_);
-    if (above_floor) {
+    if (above_floor)
       glEnable(GL_CLIP_DISTANCE0);
-    }
     obstacles->draw();
     glDisable(GL_CLIP_DISTANCE0);
   }

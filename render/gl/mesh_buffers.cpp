@@ -32,13 +32,11 @@ void MeshBuffers::set(const Mesh& mesh) {
                                             mesh.vertices.size(), mesh.normals.size()));
   }
   glm::uvec3 highest(0);
-  for (const glm::uvec3& triangle : mesh.triangles) {
+  for (const glm::uvec3& triangle : mesh.triangles)
     highest = glm::max(highest, triangle);
-  }
   if (!mesh.triangles.empty() &&
-      std::max({highest.x, highest.y, highest.z}) >= mesh.vertices.size()) {
+      std::max({highest.x, highest.y, highest.z}) >= mesh.vertices.size())
     throw std::invalid_argument("a triangle of the mesh refers to a vertex that is not there");
-  }
   upload(vertices_, std::span(mesh.vertices));
   upload(normals_, std::span(mesh.normals));
   upload(triangles_, std::span(mesh.triangles));

@@ -57,9 +57,8 @@ class Drawing {
         stage_(stage),
         casters_{stage.min, stage.max},
         picture_(width, height) {
-    if (look.walls) {
+    if (look.walls)
       edges_.emplace();
-    }
   }
 
   void set_obstacles(const Mesh& mesh, std::span<const glm::vec3> reach) {
@@ -72,25 +71,22 @@ class Drawing {
         casters_.max = glm::max(casters_.max, point);
       }
     }
-    if (casters_.min != before.min || casters_.max != before.max) {
+    if (casters_.min != before.min || casters_.max != before.max)
       shadow_.reset();  // its area changes
-    }
     if (mesh.triangles.empty()) {
       obstacles_.reset();
       return;
     }
-    if (!obstacles_) {
+    if (!obstacles_)
       obstacles_.emplace();
-    }
     obstacles_->mesh.set(mesh);
     obstacles_->shape = mesh;
   }
 
   Image draw(const Mesh& mesh, const View& view) {
     begin(view);
-    if (!liquid_) {
+    if (!liquid_)
       liquid_.emplace(picture_.width(), picture_.height());
-    }
     const MeshBuffers* obstacles = obstacles_ ? &obstacles_->mesh : nullptr;
     liquid_->mesh.set(mesh);
     const Texture* shadow = draw_shadow(mesh.triangles.empty() ? nullptr : &mesh, nullptr);
@@ -102,22 +98,19 @@ class Drawing {
     draw_obstacles(view);
     liquid_->tiles.clear();
     liquid_->tiles.add(mesh, uniforms_.world_to_clip);
-    if (obstacles_) {
+    if (obstacles_)
       liquid_->tiles.add(obstacles_->shape, uniforms_.world_to_clip);
-    }
     liquid_->pass.shade(picture_, liquid_->behind.encoded(), obstacles_.has_value(),
                         liquid_->tiles);
     return finish(liquid_->pass.depth());
   }
 
   Image draw(const ParticleCloud& cloud, const View& view) {
-    if (cloud.positions.empty()) {
+    if (cloud.positions.empty())
       return draw(Mesh{}, view);
-    }
     begin(view);
-    if (!particles_) {
+    if (!particles_)
       particles_.emplace(picture_.width(), picture_.height());
-    }
     particles_->buffers.set(cloud);
     const Texture* shadow = draw_shadow(nullptr, &particles_->buffers);
     particles_->samples.begin();
@@ -148,19 +141,15 @@ class Drawing {
   const Texture* draw_shadow(const Mesh* liquid, const ParticleBuffers* particles) {
     const ShadowArea area = shadow_area(light_, stage_, casters_);
     const bool casts = liquid || particles || obstacles_;
-    if (!light_.shadows || !look_.floor || !casts || area.empty()) {
+    if (!light_.shadows || !look_.floor || !casts || area.empty())
       return nullptr;
-    }
-    if (!shadow_) {
+    if (!shadow_)
       shadow_.emplace(area, glm::normalize(light_.direction), stage_.min.y);
-    }
     shadow_->begin(liquid);
-    if (particles) {
+    if (particles)
       shadow_->add_particles(*particles);
-    }
-    if (obstacles_) {
+    if (obstacles_)
       shadow_->add_obstacles(obstacles_->mesh);
-    }
     return &shadow_->finish();
   }
 
@@ -170,18 +159,16 @@ class Drawing {
 
   Surroundings& surroundings(const View& view) {
     std::optional<Surroundings>& wanted = floor_is_seen(view) ? floor_ : backdrop_;
-    if (!wanted) {
+    if (!wanted)
       wanted.emplace(floor_is_seen(view));
-    }
     return *wanted;
   }
 
   /// Obstacles, without what is under a floor that can be seen.
   void draw_obstacles(const View& view) const {
     if (obstacles_) {
-      if (floor_is_seen(view)) {
+      if (floor_is_seen(view))
         glEnable(GL_CLIP_DISTANCE0);
-      }
       glUseProgram(obstacles_->program);
       obstacles_->mesh.draw();
       glDisable(GL_CLIP_DISTANCE0);
@@ -229,9 +216,8 @@ struct Renderer::Impl {
 
 Renderer::Renderer(int width, int height, const LookSettings& look, const LightSettings& light,
                    const Stage& stage, std::optional<int> cuda_device) {
-  if (width <= 0 || height <= 0) {
+  if (width <= 0 || height <= 0)
     throw std::invalid_argument(fmt::format("a picture cannot have {} x {} pixels", width, height));
-  }
   impl_ = std::make_unique<Impl>(cuda_device);
   const EglContext::Current current(impl_->context);
   impl_->info = {driver_string(GL_RENDERER), driver_string(GL_VERSION), impl_->context.vendor(),

@@ -52,18 +52,16 @@ void ShadowPass::begin(const Mesh* liquid) {
 }
 
 void ShadowPass::add_particles(const ParticleBuffers& particles) {
-  if (!sphere_) {
+  if (!sphere_)
     sphere_ = make_program(shaders::shadow_sphere_vert, shaders::shadow_sphere_frag);
-  }
   glUseProgram(*sphere_);
   glProgramUniform1f(*sphere_, 0, particles.radius());
   particles.draw();
 }
 
 void ShadowPass::add_obstacles(const MeshBuffers& obstacles) {
-  if (!solid_) {
+  if (!solid_)
     solid_ = make_program(shaders::shadow_mesh_vert, shaders::shadow_solid_frag);
-  }
   glUseProgram(*solid_);
   obstacles.draw();
 }

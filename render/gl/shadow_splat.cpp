@@ -12,9 +12,8 @@ ShadowSplat::ShadowSplat(int width, int height, const glm::mat4& world_to_shadow
                          float floor)
     : width_(width), height_(height), to_texels_(0.f) {
   const glm::vec2 half(0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height));
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i)
     to_texels_[i] = {half * glm::vec2(world_to_shadow[i]), 0.f, 0.f};
-  }
   to_texels_[3] += glm::vec4(half - 0.5f, floor / light.y, 1.f);
   to_texels_[1].z = -1.f / light.y;
 }
@@ -25,9 +24,8 @@ const std::vector<float>& ShadowSplat::measure(const Mesh& liquid) {
   std::ranges::transform(liquid.vertices, places_.begin(), [&](const glm::vec3& vertex) {
     return glm::vec3(to_texels_ * glm::vec4(vertex, 1.f));
   });
-  for (const glm::uvec3& t : liquid.triangles) {
+  for (const glm::uvec3& t : liquid.triangles)
     add(places_[t.x], places_[t.y], places_[t.z]);
-  }
   return blocked_;
 }
 
@@ -47,9 +45,8 @@ void ShadowSplat::add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   const float area = 0.5f * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
   const float amount = area * middle.z;
   if (!(middle.x >= 0.f && middle.y >= 0.f && middle.x < static_cast<float>(width_ - 1) &&
-        middle.y < static_cast<float>(height_ - 1))) {
+        middle.y < static_cast<float>(height_ - 1)))
     return;  // outside of the map
-  }
   const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
   const float right = amount * (middle.x - static_cast<float>(x)), left = amount - right;
   const float up = middle.y - static_cast<float>(y), down = 1.f - up;

@@ -32,9 +32,8 @@ Part part_of_picture(const ShadowArea& area, const FrameUniforms& frame, glm::iv
     const glm::vec4 corner((i & 1) ? area.max.x : area.min.x, frame.stage_min.y,
                            (i & 2) ? area.max.y : area.min.y, 1.f);
     const glm::vec4 clip = frame.world_to_clip * corner;
-    if (clip.z <= -clip.w) {
+    if (clip.z <= -clip.w)
       return all;  // it reaches behind the eye
-    }
     const glm::vec2 place = glm::clamp(0.5f + 0.5f * glm::vec2(clip) / clip.w, 0.f, 1.f);
     const glm::ivec2 pixel(place * glm::vec2(size));
     part.low = glm::min(part.low, pixel - 1);

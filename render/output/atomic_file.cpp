@@ -13,7 +13,7 @@
 namespace spindrift::output {
 namespace {
 
-constexpr std::size_t kBufferBytes = 256 * 1024;
+constexpr std::size_t buffer_bytes = 256 * 1024;
 
 [[noreturn]] void fail(const std::filesystem::path& file, int error) {
   throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(error));
@@ -22,9 +22,9 @@ constexpr std::size_t kBufferBytes = 256 * 1024;
 // ".video.1234-0.part.mp4": hidden from listings and globs, and the extension stays, since
 // libraries go by it. The process id and the attempt keep two writers of the same file apart.
 std::filesystem::path temporary_for(const std::filesystem::path& file, int attempt) {
-  constexpr std::size_t kLongestStem = 128;  // bytes; leaves room below the usual limit of 255
+  constexpr std::size_t longest_stem = 128;  // bytes; leaves room below the usual limit of 255
   std::string name = ".";
-  name += file.stem().string().substr(0, kLongestStem);
+  name += file.stem().string().substr(0, longest_stem);
   name += '.';
   name += std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".part";
   name += file.extension().string();
@@ -44,9 +44,8 @@ bool is_part(const std::string& name) {
 void require_replaceable(const std::filesystem::path& file) {
   std::error_code ignored;
   const auto status = std::filesystem::status(file, ignored);
-  if (!file.has_filename() || std::filesystem::is_directory(status)) {
+  if (!file.has_filename() || std::filesystem::is_directory(status))
     fail(file, EISDIR);
-  }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     throw std::runtime_error("cannot write " + file.string() +
                              ": a file that is not a regular one has this name");
@@ -84,12 +83,10 @@ std::filesystem::path part_name(const std::filesystem::path& file) {
 
 void remove_part_files(const std::filesystem::path& folder) {
   std::error_code none;  // a folder that isn't there has no files
-  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
     if (is_part(entry.path().filename().string()) &&
-        entry.symlink_status().type() == std::filesystem::file_type::regular) {
+        entry.symlink_status().type() == std::filesystem::file_type::regular)
       std::filesystem::remove(entry.path());
-    }
-  }
 }
 
 AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
@@ -97,9 +94,8 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
     temporary_ = temporary_for(file_, attempt);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) {
+    if (descriptor_ < 0 && errno != EEXIST && errno != EINTR)
       fail(file_, errno);
-    }
   }
 }
 
@@ -116,12 +112,11 @@ void AtomicFile::close_and_remove() noexcept {
 }
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
-  if (descriptor_ < 0) {
+  if (descriptor_ < 0)
     throw std::logic_error("AtomicFile: write after commit");
-  }
-  if (buffer_.size() + bytes.size() > kBufferBytes) {
+  if (buffer_.size() + bytes.size() > buffer_bytes) {
     flush();
-    if (bytes.size() >= kBufferBytes) {
+    if (bytes.size() >= buffer_bytes) {
       put(bytes);
       return;
     }
@@ -137,19 +132,16 @@ void AtomicFile::flush() {
 void AtomicFile::put(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) {
+    if (written < 0 && errno != EINTR)
       fail(file_, errno);
-    }
-    if (written > 0) {
+    if (written > 0)
       bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
   }
 }
 
 void AtomicFile::commit() {
-  if (descriptor_ < 0) {
+  if (descriptor_ < 0)
     throw std::logic_error("AtomicFile: second commit");
-  }
   flush();
   // Some file systems report a full disk only here.
   if (::close(std::exchange(descriptor_, -1)) != 0) {

@@ -30,15 +30,12 @@ class Descriptor {
 
 /// What a path names that is no regular file.
 const char* kind_name(mode_t mode) {
-  if (S_ISDIR(mode)) {
+  if (S_ISDIR(mode))
     return "is a folder, not a file";
-  }
-  if (S_ISFIFO(mode)) {
+  if (S_ISFIFO(mode))
     return "is a pipe (FIFO), not a file";
-  }
-  if (S_ISSOCK(mode)) {
+  if (S_ISSOCK(mode))
     return "is a socket, not a file";
-  }
   return "is a device, not a file";
 }
 
@@ -47,9 +44,8 @@ const char* kind_name(mode_t mode) {
 int open_regular(const std::filesystem::path& file, std::size_t& size) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) {
-    if (errno == ENXIO) {
+    if (errno == ENXIO)
       fail(file, kind_name(S_IFSOCK));
-    }
     fail(file, errno == ENOENT ? "there is no such file"
                                : std::string("cannot be read: ") + std::strerror(errno));
   }
@@ -76,15 +72,12 @@ std::string read_file(const std::filesystem::path& file) {
   std::size_t done = 0;
   while (done < size) {
     const ssize_t count = ::read(descriptor.number(), bytes.data() + done, size - done);
-    if (count < 0 && errno == EINTR) {
+    if (count < 0 && errno == EINTR)
       continue;
-    }
-    if (count < 0) {
+    if (count < 0)
       fail(file, std::string("cannot be read: ") + std::strerror(errno));
-    }
-    if (count == 0) {
+    if (count == 0)
       break;  // it has become shorter meanwhile
-    }
     done += static_cast<std::size_t>(count);
   }
   bytes.resize(done);

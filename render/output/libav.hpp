@@ -34,9 +34,8 @@ using Owned = std::unique_ptr<T, Free>;
 
 template <class T>
 Owned<T> owned(T* pointer) {
-  if (pointer == nullptr) {
+  if (pointer == nullptr)
     throw std::bad_alloc();
-  }
   return Owned<T>(pointer);
 }
 

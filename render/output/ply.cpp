@@ -26,9 +26,8 @@ void put(AtomicFile& file, const T& value) {
 
 std::string float_properties(std::initializer_list<const char*> names) {
   std::string text;
-  for (const char* name : names) {
+  for (const char* name : names)
     text += std::string("property float ") + name + "\n";
-  }
   return text;
 }
 
@@ -49,9 +48,8 @@ std::string mesh_header(const Mesh& mesh, bool normals) {
   std::string text = header_begin() + "comment units: x y z in m\n";
   text += "element vertex " + std::to_string(mesh.vertices.size()) + "\n";
   text += float_properties({"x", "y", "z"});
-  if (normals) {
+  if (normals)
     text += float_properties({"nx", "ny", "nz"});
-  }
   text += "element face " + std::to_string(mesh.triangles.size()) + "\n";
   return text + "property list uchar int vertex_indices\nend_header\n";
 }
@@ -60,16 +58,14 @@ std::string mesh_header(const Mesh& mesh, bool normals) {
 
 void write_ply(const std::filesystem::path& file, const Mesh& mesh) {
   const bool normals = present(mesh.normals.size(), mesh.vertices.size(), "normals");
-  if (mesh.vertices.size() > std::numeric_limits<std::int32_t>::max()) {
+  if (mesh.vertices.size() > std::numeric_limits<std::int32_t>::max())
     throw std::invalid_argument("write_ply: too many vertices for 32-bit indices");
-  }
   AtomicFile output(file);
   output.write(mesh_header(mesh, normals));
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     put(output, mesh.vertices[i]);
-    if (normals) {
+    if (normals)
       put(output, mesh.normals[i]);
-    }
   }
   for (const glm::uvec3& triangle : mesh.triangles) {
     put(output, std::uint8_t{3});
@@ -100,18 +96,14 @@ void write_ply(const std::filesystem::path& file, const ParticleAttributes& part
   output.write(header);
   for (std::size_t i = 0; i < count; ++i) {
     put(output, particles.positions[i]);
-    if (velocities) {
+    if (velocities)
       put(output, particles.velocities[i]);
-    }
-    if (densities) {
+    if (densities)
       put(output, particles.densities[i]);
-    }
-    if (pressures) {
+    if (pressures)
       put(output, particles.pressures[i]);
-    }
-    if (numbers) {
+    if (numbers)
       put(output, particles.numbers[i]);
-    }
   }
   output.commit();
 }

@@ -27,17 +27,16 @@ namespace {
 //   filter "sub":     level 1: 11 ms, 439 KiB
 //   filter "Paeth":   level 1: 13 ms, 435 KiB
 //   best of all five: level 1: 17 ms, 435 KiB
-constexpr int kFilterUp = 2;
-constexpr int kCompressionLevel = 1;
+constexpr int filter_up = 2;
+constexpr int compression_level = 1;
 
 // stb takes the result over and frees it with free().
 unsigned char* deflate_for_stb(const unsigned char* data, int size, int* compressed_size,
                                int /*quality*/) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-      libdeflate_alloc_compressor(kCompressionLevel), &libdeflate_free_compressor);
-  if (!compressor) {
+      libdeflate_alloc_compressor(compression_level), &libdeflate_free_compressor);
+  if (!compressor)
     return nullptr;
-  }
   const auto length = static_cast<std::size_t>(size);
   const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), length);
   auto* out = static_cast<unsigned char*>(std::malloc(bound));
@@ -73,22 +72,21 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 // The signature (8 bytes) and the IHDR chunk (4 length, 4 type, 13 data, 4 checksum).
-constexpr std::size_t kBytesBeforeColourTag = 8 + 4 + 4 + 13 + 4;
+constexpr std::size_t bytes_before_colour_tag = 8 + 4 + 4 + 13 + 4;
 
 // An sRGB chunk: length 1, type, rendering intent 0 (perceptual), checksum of type and data.
 std::array<std::byte, 13> srgb_chunk() {
   std::array<unsigned char, 13> chunk = {0, 0, 0, 1, 's', 'R', 'G', 'B', 0};
   const std::uint32_t checksum = libdeflate_crc32(0, chunk.data() + 4, 5);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     chunk[9 + i] = static_cast<unsigned char>(checksum >> (24 - 8 * i));
-  }
   return std::bit_cast<std::array<std::byte, 13>>(chunk);
 }
 
 /// As stb lays it out, without the colour tag.
 Bytes encode(const Image& image) {
   // Set once, before the first use; stb takes it from a global of this file.
-  [[maybe_unused]] static const int filter = stbi_write_force_png_filter = kFilterUp;
+  [[maybe_unused]] static const int filter = stbi_write_force_png_filter = filter_up;
   Bytes png;
   const auto take = [](void* context, void* data, int size) {
     const auto* bytes = static_cast<const std::byte*>(data);
@@ -96,18 +94,16 @@ Bytes encode(const Image& image) {
   };
   if (stbi_write_png_to_func(take, &png, image.width, image.height, 3, image.pixels.data(), 0) ==
           0 ||
-      png.size() < kBytesBeforeColourTag) {
+      png.size() < bytes_before_colour_tag)
     throw std::bad_alloc();
-  }
   return png;
 }
 
 /// A big-endian number of four bytes, as PNG has them.
 std::uint32_t number_at(std::string_view png, std::size_t place) {
   std::uint32_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i)
     number = number << 8 | static_cast<unsigned char>(png[place + i]);
-  }
   return number;
 }
 
@@ -116,13 +112,13 @@ struct Chunk {
   std::string_view type, whole;
 };
 
-constexpr std::size_t kSignature = 8, kChunkWithoutData = 12;  // bytes
+constexpr std::size_t signature = 8, chunk_without_data = 12;  // bytes
 
 /// Calls `look` with each chunk, up to one that ends after the file.
 template <class Look>
 void for_each_chunk(std::string_view png, const Look& look) {
-  for (std::size_t at = kSignature; at + kChunkWithoutData <= png.size();) {
-    const std::size_t bytes = kChunkWithoutData + number_at(png, at);
+  for (std::size_t at = signature; at + chunk_without_data <= png.size();) {
+    const std::size_t bytes = chunk_without_data + number_at(png, at);
     look(Chunk{png.substr(at + 4, 4), png.substr(at, bytes)});
     at += bytes;
   }
@@ -137,12 +133,11 @@ bool has_chunk(std::string_view png, std::string_view type) {
 /// PNG allows chunks of pixels without any data. For those before the first that has some, stb
 /// copies no bytes to a null pointer, which C++ leaves undefined: so they are left out.
 std::string without_empty_pixel_chunks(std::string_view png) {
-  std::string kept(png.substr(0, kSignature));
+  std::string kept(png.substr(0, signature));
   kept.reserve(png.size());
   for_each_chunk(png, [&](const Chunk& chunk) {
-    if (chunk.type != "IDAT" || chunk.whole.size() > kChunkWithoutData) {
+    if (chunk.type != "IDAT" || chunk.whole.size() > chunk_without_data)
       kept += chunk.whole;
-    }
   });
   return kept;
 }
@@ -150,23 +145,23 @@ std::string without_empty_pixel_chunks(std::string_view png) {
 /// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
 /// hold, and chunks longer than the file. @return the reason; empty: none
 std::string why_refused(std::string_view png) {
-  constexpr std::size_t kWidth = 16, kHeight = 20, kDepth = 24, kColours = 25;  // places in IHDR
-  constexpr std::array<std::uint64_t, 7> kChannels = {1, 0, 3, 1, 2, 0, 4};     // by colour type
-  constexpr std::uint64_t kMostPerByte = 1032;  // that deflate makes out of one
-  if (png.size() < kBytesBeforeColourTag || png.substr(12, 4) != "IHDR") {
+  // Places of IHDR's values in the file, and how many channels each of its colour types has.
+  constexpr std::size_t width_at = 16, height_at = 20, depth_at = 24, colour_type_at = 25;
+  constexpr std::array<std::uint64_t, 7> channels_by_type = {1, 0, 3, 1, 2, 0, 4};
+  constexpr std::uint64_t most_per_byte = 1032;  // that deflate makes out of one
+  if (png.size() < bytes_before_colour_tag || png.substr(12, 4) != "IHDR")
     return "it does not begin as a PNG does";
-  }
-  const std::uint64_t width = number_at(png, kWidth), height = number_at(png, kHeight);
+  const std::uint64_t width = number_at(png, width_at), height = number_at(png, height_at);
   if (width == 0 || height == 0 || width > most_pixels || height > most_pixels ||
       width * height > most_pixels) {
     return std::to_string(width) + "x" + std::to_string(height) + " pixels; accepted: 1 to " +
            std::to_string(most_pixels) + " in all";
   }
-  const auto colours = static_cast<unsigned char>(png[kColours]);
-  const std::uint64_t bits = static_cast<unsigned char>(png[kDepth]) *
-                             (colours < kChannels.size() ? kChannels[colours] : 0);
+  const auto colours = static_cast<unsigned char>(png[colour_type_at]);
+  const std::uint64_t bits = static_cast<unsigned char>(png[depth_at]) *
+                             (colours < channels_by_type.size() ? channels_by_type[colours] : 0);
   // Without its last chunk, it ends within another, whose length is too large.
-  return !has_chunk(png, "IEND") || width * height * bits / 8 > kMostPerByte * png.size()
+  return !has_chunk(png, "IEND") || width * height * bits / 8 > most_per_byte * png.size()
              ? "damaged or cut short"
              : "";
 }
@@ -184,16 +179,16 @@ std::size_t samples(const Image& image, int channels) {
 }  // namespace
 
 Bytes encode_png(const Image& image) {
-  constexpr std::size_t kLargest = std::numeric_limits<int>::max() / 2;  // stb counts in int
+  constexpr std::size_t largest = std::numeric_limits<int>::max() / 2;  // stb counts in int
   if (image.width <= 0 || image.height <= 0 ||
       image.pixels.size() != std::size_t(image.width) * std::size_t(image.height) * 3 ||
-      image.pixels.size() > kLargest) {
+      image.pixels.size() > largest) {
     throw std::invalid_argument("PNG: bad image of " + std::to_string(image.width) + "x" +
                                 std::to_string(image.height) + " pixels");
   }
   Bytes png = encode(image);
   const auto tag = srgb_chunk();
-  png.insert(png.begin() + kBytesBeforeColourTag, tag.begin(), tag.end());
+  png.insert(png.begin() + bytes_before_colour_tag, tag.begin(), tag.end());
   return png;
 }
 
@@ -209,18 +204,15 @@ Image read_png(const std::filesystem::path& file) {
   const auto fail = [&](const std::string& reason) {
     throw std::runtime_error("cannot read " + file.string() + ": " + reason);
   };
-  if (png.size() > std::numeric_limits<int>::max()) {
+  if (png.size() > std::numeric_limits<int>::max())
     fail("file too large");
-  }
-  if (const std::string reason = why_refused(png); !reason.empty()) {
+  if (const std::string reason = why_refused(png); !reason.empty())
     fail(reason);
-  }
   png = without_empty_pixel_chunks(png);
   const auto* bytes = reinterpret_cast<const stbi_uc*>(png.data());
   const int length = static_cast<int>(png.size());
-  if (has_chunk(png, "acTL")) {
+  if (has_chunk(png, "acTL"))
     fail("it is animated; accepted: still pictures");
-  }
   Image image;
   int channels = 0;
   const auto require = [&](const void* pixels) {
@@ -247,14 +239,12 @@ Image read_png(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < samples(image, 4); ++i) {
     const stbi_us sample = pixels.get()[i];
     if (i % 4 == 3) {
-      if (sample != 0xffff) {
+      if (sample != 0xffff)
         fail("it is transparent in places; accepted: opaque pictures");
-      }
       continue;
     }
-    if (sample % 0x101 != 0) {  // an 8-bit value v is v * 0x101 in 16 bits
+    if (sample % 0x101 != 0)  // an 8-bit value v is v * 0x101 in 16 bits
       fail("it has 16-bit samples that 8 bits cannot hold; accepted: 8 bits a sample");
-    }
     image.pixels.push_back(static_cast<std::uint8_t>(sample >> 8));
   }
   return image;

@@ -24,18 +24,18 @@ namespace {
 
 // The bytes depend on the number of threads, so it is fixed, whatever the machine has. Four let the
 // encoder work beside the simulation of the next frame, and cost a single core 2 ms a frame.
-constexpr int kThreads = 4;
+constexpr int threads = 4;
 
 // Measured on 60 water-like frames of 1280x720 pixels, quality 18, one core of a 2021 Xeon:
 //   superfast  9 ms, 12.0 KiB a frame     faster  24 ms, 7.9 KiB a frame
 //   veryfast  14 ms,  6.9 KiB a frame     medium  30 ms, 7.2 KiB a frame
-constexpr const char* kPreset = "veryfast";
+constexpr const char* preset = "veryfast";
 
 // To libx264 a factor of 0 is another mode, in a profile (High 4:4:4 Predictive) that browsers do
 // not play; the colours would have lost as much before, in the conversion to yuv420p.
-constexpr int kBestRateFactor = 1;
+constexpr int best_rate_factor = 1;
 
-constexpr int kSecondsBetweenKeyFrames = 2;  // how far a player has to decode after a jump
+constexpr int seconds_between_key_frames = 2;  // how far a player has to decode after a jump
 
 void libav_check(int result, const std::filesystem::path& file, const char* doing) {
   if (result < 0) {
@@ -45,32 +45,27 @@ void libav_check(int result, const std::filesystem::path& file, const char* doin
 }
 
 bool takes_yuv420p(const AVCodec& codec) {
-  for (const AVPixelFormat* format = codec.pix_fmts; format && *format != AV_PIX_FMT_NONE;
-       ++format) {
-    if (*format == AV_PIX_FMT_YUV420P) {
+  for (const AVPixelFormat* format = codec.pix_fmts; format && *format != AV_PIX_FMT_NONE; ++format)
+    if (*format == AV_PIX_FMT_YUV420P)
       return true;
-    }
-  }
   return false;
 }
 
 // libx264, or else any software encoder of H.264 (hardware ones differ from machine to machine).
 const AVCodec* find_encoder() {
-  if (const AVCodec* x264 = avcodec_find_encoder_by_name("libx264")) {
+  if (const AVCodec* x264 = avcodec_find_encoder_by_name("libx264"))
     return x264;
-  }
   void* position = nullptr;
   while (const AVCodec* codec = av_codec_iterate(&position)) {
-    constexpr int kHardware = AV_CODEC_CAP_HARDWARE | AV_CODEC_CAP_HYBRID;
+    constexpr int hardware = AV_CODEC_CAP_HARDWARE | AV_CODEC_CAP_HYBRID;
     if (av_codec_is_encoder(codec) != 0 && codec->id == AV_CODEC_ID_H264 &&
-        (codec->capabilities & kHardware) == 0 && takes_yuv420p(*codec)) {
+        (codec->capabilities & hardware) == 0 && takes_yuv420p(*codec))
       return codec;
-    }
   }
   return nullptr;
 }
 
-constexpr const char* kNoEncoder =
+constexpr const char* no_encoder =
     "this libavcodec has no H.264 encoder (Debian: install libavcodec59 or libavcodec-extra)";
 
 const VideoSettings& validated(const VideoSettings& settings) {
@@ -88,9 +83,8 @@ const VideoSettings& validated(const VideoSettings& settings) {
     reject("frames per second must be more than 0 and at most 1000, not " +
            std::to_string(rate.numerator) + "/" + std::to_string(rate.denominator));
   }
-  if (settings.quality < 0 || settings.quality > 51) {
+  if (settings.quality < 0 || settings.quality > 51)
     reject("quality must be 0 to 51, not " + std::to_string(settings.quality));
-  }
   return settings;
 }
 
@@ -109,13 +103,13 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   const FrameRate rate = settings.frames_per_second;
   encoder->framerate = {rate.numerator, rate.denominator};
   encoder->time_base = {rate.denominator, rate.numerator};
-  encoder->gop_size = std::max(1, kSecondsBetweenKeyFrames * rate.numerator / rate.denominator);
-  encoder->thread_count = kThreads;
+  encoder->gop_size = std::max(1, seconds_between_key_frames * rate.numerator / rate.denominator);
+  encoder->thread_count = threads;
   // No version strings; the header once, in front, as MP4 wants it.
   encoder->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
   if (std::string(codec.name) == "libx264") {
-    av_opt_set(encoder->priv_data, "preset", kPreset, 0);
-    av_opt_set_double(encoder->priv_data, "crf", std::max(kBestRateFactor, settings.quality), 0);
+    av_opt_set(encoder->priv_data, "preset", preset, 0);
+    av_opt_set_double(encoder->priv_data, "crf", std::max(best_rate_factor, settings.quality), 0);
     // The same choice of algorithms on every CPU.
     av_opt_set(encoder->priv_data, "x264-params", "cpu-independent=1", 0);
   } else {
@@ -132,9 +126,8 @@ Owned<AVFrame> make_frame(AVPixelFormat format, int width, int height) {
   frame->format = format;
   frame->width = width;
   frame->height = height;
-  if (av_frame_get_buffer(frame.get(), 0) < 0) {
+  if (av_frame_get_buffer(frame.get(), 0) < 0)
     throw std::bad_alloc();
-  }
   return frame;
 }
 
@@ -150,15 +143,15 @@ Owned<AVFrame> make_encoded_frame(const AVCodecContext& encoder) {
 
 // sRGB values in full range to BT.709 in limited range. libswscale takes BT.601 unless told.
 Owned<SwsContext> make_converter(int width, int height) {
-  constexpr int kFlags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
+  constexpr int flags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
   Owned<SwsContext> converter =
       owned(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P,
-                           kFlags, nullptr, nullptr, nullptr));
+                           flags, nullptr, nullptr, nullptr));
   const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
-  constexpr int kFull = 1;
-  constexpr int kLimited = 0;
-  constexpr int kOne = 1 << 16;  // contrast and saturation, as fixed point
-  sws_setColorspaceDetails(converter.get(), bt709, kFull, bt709, kLimited, 0, kOne, kOne);
+  constexpr int full = 1;
+  constexpr int limited = 0;
+  constexpr int one = 1 << 16;  // contrast and saturation, as fixed point
+  sws_setColorspaceDetails(converter.get(), bt709, full, bt709, limited, 0, one, one);
   return converter;
 }
 
@@ -192,9 +185,8 @@ VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& 
     : settings(validated(s)), file(name), packet(owned(av_packet_alloc())) {
   av_log_set_level(AV_LOG_FATAL);  // what goes wrong is said by our exceptions
   const AVCodec* codec = find_encoder();
-  if (codec == nullptr) {
-    throw std::runtime_error("cannot write " + name.string() + ": " + kNoEncoder);
-  }
+  if (codec == nullptr)
+    throw std::runtime_error("cannot write " + name.string() + ": " + no_encoder);
   encoder = open_encoder(*codec, settings, name);
   converter = make_converter(settings.width, settings.height);
   rgb = make_frame(AV_PIX_FMT_RGB24, settings.width, settings.height);
@@ -211,9 +203,8 @@ void VideoWriter::Impl::open_muxer() {
   muxer->flags |= AVFMT_FLAG_BITEXACT;  // no dates, no version strings
 
   stream = avformat_new_stream(muxer.get(), nullptr);
-  if (stream == nullptr) {
+  if (stream == nullptr)
     throw std::bad_alloc();
-  }
   stream->time_base = encoder->time_base;
   stream->avg_frame_rate = encoder->framerate;
   check(avcodec_parameters_from_context(stream->codecpar, encoder.get()), "MP4 stream");
@@ -235,9 +226,8 @@ void VideoWriter::Impl::encode(const AVFrame* next) {
   check(avcodec_send_frame(encoder.get(), next), "encoding");
   for (;;) {
     const int result = avcodec_receive_packet(encoder.get(), packet.get());
-    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) {
+    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF)
       return;
-    }
     check(result, "encoding");
     packet->stream_index = stream->index;
     packet->duration = 1;
@@ -255,9 +245,8 @@ void VideoWriter::Impl::add(const Image& image) {
                                 std::to_string(settings.width) + "x" +
                                 std::to_string(settings.height));
   }
-  if (std::exchange(state, State::failed) != State::open) {
+  if (std::exchange(state, State::failed) != State::open)
     throw std::logic_error("VideoWriter: add after finish or after an error");
-  }
   check(av_frame_make_writable(frame.get()), "frame");
   av_image_copy_plane(rgb->data[0], rgb->linesize[0], image.pixels.data(), stride, stride,
                       settings.height);
@@ -270,15 +259,12 @@ void VideoWriter::Impl::add(const Image& image) {
 }
 
 void VideoWriter::Impl::finish() {
-  if (state == State::finished) {
+  if (state == State::finished)
     return;
-  }
-  if (std::exchange(state, State::failed) == State::failed) {
+  if (std::exchange(state, State::failed) == State::failed)
     throw std::logic_error("VideoWriter: finish after an error");
-  }
-  if (frames == 0) {
+  if (frames == 0)
     throw std::logic_error("VideoWriter: finish without a frame");
-  }
   encode(nullptr);
   check(av_write_trailer(muxer.get()), "MP4 index");
   check(avio_closep(&muxer->pb), "closing");

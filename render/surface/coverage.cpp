@@ -10,18 +10,18 @@ namespace spindrift::surface {
 namespace {
 
 // Coverage above which a particle lies deeper than the outermost layer.
-constexpr float kEnclosed = 0.85f;
+constexpr float enclosed = 0.85f;
 
 // Distance from a particle alone at which the field passes the iso-value, in spacings: the radius
 // of a sphere of volume 1.
-constexpr float kDropRadius = 0.62f;
+constexpr float drop_radius = 0.62f;
 
 // Kernel radius of a particle alone, in spacings, and the coverages between which it grows to the
 // full one: from a drop of one particle (0.1) past a pair (0.16) and a thread (0.23) to the rim of
 // a sheet (0.36).
-constexpr float kDropKernelRadius = 1.5f;
-constexpr float kLone = 0.12f;
-constexpr float kJoined = 0.3f;
+constexpr float drop_kernel_radius = 1.5f;
+constexpr float lone = 0.12f;
+constexpr float joined = 0.3f;
 
 Lanes load(const float* from) {
   Lanes lanes;
@@ -29,11 +29,11 @@ Lanes load(const float* from) {
   return lanes;
 }
 
-// Sum of kernel_shape over the batch, whose size is a multiple of kLanes. The lanes are summed in a
+// Sum of kernel_shape over the batch, whose size is a multiple of lanes. The lanes are summed in a
 // fixed order.
 float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inverse_square) {
   Lanes sum{};
-  for (std::size_t k = 0; k < batch.size(); k += kLanes) {
+  for (std::size_t k = 0; k < batch.size(); k += lanes) {
     const Lanes dx = load(&batch.x[k]) - p.x;
     const Lanes dy = load(&batch.y[k]) - p.y;
     const Lanes dz = load(&batch.z[k]) - p.z;
@@ -44,7 +44,7 @@ float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inver
 
 void pad_to_lanes(ParticleBatch& batch) {
   constexpr float far_away = 1e9f;
-  while (batch.size() % kLanes != 0) {
+  while (batch.size() % lanes != 0) {
     batch.x.push_back(far_away);
     batch.y.push_back(far_away);
     batch.z.push_back(far_away);
@@ -53,13 +53,13 @@ void pad_to_lanes(ParticleBatch& batch) {
 
 // Kernel radius for a particle of this coverage.
 float kernel_radius(float coverage, float support) {
-  const float t = std::clamp((coverage - kLone) / (kJoined - kLone), 0.0f, 1.0f);
-  return glm::mix(kDropKernelRadius, support, t);
+  const float t = std::clamp((coverage - lone) / (joined - lone), 0.0f, 1.0f);
+  return glm::mix(drop_kernel_radius, support, t);
 }
 
 // The value that the field must have at the centre of a drop to pass the iso-value at its radius.
 float core_value(float iso_value, float radius) {
-  const float t = 1.0f - kDropRadius * kDropRadius / (radius * radius);
+  const float t = 1.0f - drop_radius * drop_radius / (radius * radius);
   return iso_value / (t * t * t);
 }
 
@@ -72,7 +72,7 @@ std::pair<ParticleKernel, bool> choose_kernel(const ParticleBatch& around, const
   const float radius = kernel_radius(coverage, support);
   if (radius < support)
     sum = sum_of_kernels(around, p, 1.0f / (radius * radius));
-  return {{std::max(scale, core_value(iso_value, radius) / sum), radius}, coverage < kEnclosed};
+  return {{std::max(scale, core_value(iso_value, radius) / sum), radius}, coverage < enclosed};
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ int squared_length(int edge_a, int edge_b) {
   return sum;
 }
 
-constexpr int kForbidden = 1 << 20;
+constexpr int forbidden = 1 << 20;
 
 // Cuts loop[first ... last] into triangles with the shortest cuts that do not lie in a face.
 // Returns the sum of the cuts' squared lengths.
@@ -91,7 +91,7 @@ int triangulate(const std::vector<int>& loop, int first, int last,
   const auto cut = [&loop](int a, int b) {
     if (b - a == 1)
       return 0;
-    return on_one_face(loop[a], loop[b]) ? kForbidden : squared_length(loop[a], loop[b]);
+    return on_one_face(loop[a], loop[b]) ? forbidden : squared_length(loop[a], loop[b]);
   };
   int best = std::numeric_limits<int>::max();
   std::vector<std::array<int, 3>> best_triangles;

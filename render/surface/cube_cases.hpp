@@ -37,10 +37,10 @@ constexpr CubeEdge cube_edge(int edge) {
 }
 
 struct CubeCase {
-  static constexpr int kMaxTriangles = 5;
+  static constexpr int max_triangles = 5;
   int triangle_count = 0;
   /// Cube edges that carry the triangles' corners, counter-clockwise seen from outside the liquid.
-  std::array<std::array<std::uint8_t, 3>, kMaxTriangles> triangles{};
+  std::array<std::array<std::uint8_t, 3>, max_triangles> triangles{};
 };
 
 /// One case for each set of inside corners; bit c of the index is set if corner c is inside.

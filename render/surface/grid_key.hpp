@@ -8,18 +8,18 @@
 namespace spindrift::surface {
 
 /// Bits of a key given to each axis; cell coordinates lie in [0, 2^21).
-inline constexpr int kAxisBits = 21;
+inline constexpr int axis_bits = 21;
 
 /// Key of a cell with no negative coordinate; keys sort by z, then y, then x, so that cells which
 /// follow each other along x have consecutive keys.
 inline std::uint64_t grid_key(const glm::ivec3& cell) {
-  return (std::uint64_t(cell.z) << (2 * kAxisBits)) | (std::uint64_t(cell.y) << kAxisBits) |
+  return (std::uint64_t(cell.z) << (2 * axis_bits)) | (std::uint64_t(cell.y) << axis_bits) |
          std::uint64_t(cell.x);
 }
 
 inline glm::ivec3 grid_cell(std::uint64_t key) {
-  constexpr std::uint64_t mask = (std::uint64_t{1} << kAxisBits) - 1;
-  return {int(key & mask), int((key >> kAxisBits) & mask), int(key >> (2 * kAxisBits))};
+  constexpr std::uint64_t mask = (std::uint64_t{1} << axis_bits) - 1;
+  return {int(key & mask), int((key >> axis_bits) & mask), int(key >> (2 * axis_bits))};
 }
 
 struct KeyedIndex {

@@ -5,10 +5,10 @@
 
 namespace spindrift::surface {
 
-inline constexpr int kLanes = 8;
+inline constexpr int lanes = 8;
 
 /// Lane i is lanes[i]; arithmetic is lane by lane, and with a float on every lane.
-using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using Lanes = float __attribute__((vector_size(lanes * sizeof(float))));
 
 /// Without a comparison, for which GCC leaves vector code where there is no AVX.
 inline Lanes absolute(Lanes lanes) {

@@ -11,44 +11,44 @@ namespace spindrift::surface {
 namespace {
 
 // How far below the surface `IsoSurface::bulk` is sampled, in spacings.
-constexpr double kBulkDepth = 2.0;
+constexpr double bulk_depth = 2.0;
 
 // A block's nodes with the neighbours that its surface needs: nodes -1 ... 9 along each axis, for
 // the gradients at nodes 0 ... 8, which are the corners of the block's cells.
 class Apron {
  public:
-  static constexpr int kEdge = kBlockEdge + 3;
+  static constexpr int edge = block_edge + 3;
 
   Apron(const SparseField& field, const SparseField::Around& around) {
     std::array<const float*, 27> blocks;
     for (int i = 0; i < 27; ++i)
       blocks[i] = field.values(around[i]);
     float* out = values_.data();
-    for (int z = -1; z <= kBlockEdge + 1; ++z) {
-      for (int y = -1; y <= kBlockEdge + 1; ++y) {
+    for (int z = -1; z <= block_edge + 1; ++z) {
+      for (int y = -1; y <= block_edge + 1; ++y) {
         const float* const* const row = &blocks[3 * ((y >> 3) + 1) + 9 * ((z >> 3) + 1)];
-        const int first = kBlockEdge * ((y & 7) + kBlockEdge * (z & 7));
+        const int first = block_edge * ((y & 7) + block_edge * (z & 7));
         out[0] = row[0][first + 7];
-        std::copy_n(row[1] + first, kBlockEdge, out + 1);
-        out[kBlockEdge + 1] = row[2][first];
-        out[kBlockEdge + 2] = row[2][first + 1];
-        out += kEdge;
+        std::copy_n(row[1] + first, block_edge, out + 1);
+        out[block_edge + 1] = row[2][first];
+        out[block_edge + 2] = row[2][first + 1];
+        out += edge;
       }
     }
   }
 
   // Which of the nodes 0 ... 8 of a row along x lie inside; bit x of the result.
   unsigned inside_nodes(int y, int z, float iso_value) const {
-    const float* const row = &values_[1 + kEdge * ((y + 1) + kEdge * (z + 1))];
-    unsigned bits = unsigned(row[kBlockEdge] > iso_value) << kBlockEdge;
+    const float* const row = &values_[1 + edge * ((y + 1) + edge * (z + 1))];
+    unsigned bits = unsigned(row[block_edge] > iso_value) << block_edge;
 #pragma omp simd reduction(| : bits)
-    for (int x = 0; x < kBlockEdge; ++x)
+    for (int x = 0; x < block_edge; ++x)
       bits |= unsigned(row[x] > iso_value) << x;
     return bits;
   }
 
   float at(const glm::ivec3& node) const {
-    return values_[(node.x + 1) + kEdge * ((node.y + 1) + kEdge * (node.z + 1))];
+    return values_[(node.x + 1) + edge * ((node.y + 1) + edge * (node.z + 1))];
   }
 
   glm::vec3 gradient(const glm::ivec3& n) const {
@@ -58,7 +58,7 @@ class Apron {
   }
 
  private:
-  std::array<float, kEdge * kEdge * kEdge> values_;
+  std::array<float, edge * edge * edge> values_;
 };
 
 // A grid edge seen from a block: its lower node, which may lie in a block beyond, and its axis.
@@ -75,13 +75,13 @@ struct BlockSurface {
   std::vector<Vertex> vertices;
   std::vector<std::array<GridEdge, 3>> triangles;
   SparseField::Around around;
-  std::array<std::uint16_t, 3 * kBlockNodes> vertex_on_edge;  // set for crossed edges only
+  std::array<std::uint16_t, 3 * block_nodes> vertex_on_edge;  // set for crossed edges only
 
   static int edge_index(int node, int axis) { return 3 * node + axis; }
 };
 
 constexpr int node_index(int x, int y, int z) {
-  return x + kBlockEdge * (y + kBlockEdge * z);
+  return x + block_edge * (y + block_edge * z);
 }
 
 // The i-th of the eight blocks that hold the corners of a block's cells; the first is the block.
@@ -93,7 +93,7 @@ constexpr int following(int i) {
 // that follow it.
 bool may_be_crossed(const SparseField& field, const SparseField::Around& around) {
   const BlockSide side = field.side(around[following(0)]);
-  if (side == BlockSide::kBoth)
+  if (side == BlockSide::both)
     return true;
   for (int i = 1; i < 8; ++i)
     if (field.side(around[following(i)]) != side)
@@ -112,12 +112,12 @@ class BlockMarcher {
         values_(field, around) {}
 
   void march(BlockSurface& out) const {
-    std::array<std::array<unsigned, kBlockEdge + 1>, kBlockEdge + 1> inside;
-    for (int z = 0; z <= kBlockEdge; ++z)
-      for (int y = 0; y <= kBlockEdge; ++y)
+    std::array<std::array<unsigned, block_edge + 1>, block_edge + 1> inside;
+    for (int z = 0; z <= block_edge; ++z)
+      for (int y = 0; y <= block_edge; ++y)
         inside[z][y] = values_.inside_nodes(y, z, iso_value_);
-    for (int z = 0; z < kBlockEdge; ++z)
-      for (int y = 0; y < kBlockEdge; ++y)
+    for (int z = 0; z < block_edge; ++z)
+      for (int y = 0; y < block_edge; ++y)
         march_row(y, z, {inside[z][y], inside[z][y + 1], inside[z + 1][y], inside[z + 1][y + 1]},
                   out);
   }
@@ -127,7 +127,7 @@ class BlockMarcher {
   void march_row(int y, int z, const std::array<unsigned, 4>& inside, BlockSurface& out) const {
     const unsigned any = inside[0] | inside[1] | inside[2] | inside[3];
     const unsigned all = inside[0] & inside[1] & inside[2] & inside[3];
-    const unsigned crossed = (any | any >> 1) & ~(all & all >> 1) & ((1u << kBlockEdge) - 1);
+    const unsigned crossed = (any | any >> 1) & ~(all & all >> 1) & ((1u << block_edge) - 1);
     for (unsigned left = crossed; left != 0; left &= left - 1) {
       const int x = std::countr_zero(left);
       int corners = 0;
@@ -172,8 +172,8 @@ class BlockMarcher {
     }
 
     const double cell_size = field_.cell_size() * double(spacing_);
-    const glm::dvec3 first = glm::dvec3(field_.cell(around_[following(0)]) * kBlockEdge);
-    const float depth = float(kBulkDepth / field_.cell_size());
+    const glm::dvec3 first = glm::dvec3(field_.cell(around_[following(0)]) * block_edge);
+    const float depth = float(bulk_depth / field_.cell_size());
     out.vertices.push_back({glm::vec3((first + glm::dvec3(point)) * cell_size), outward,
                             field_.sample(around_, point - outward * depth)});
   }

@@ -25,7 +25,7 @@ class ParticleBins {
   /// @param spacing   m
   /// @param bin_size  edge of a bin, in spacings
   /// @param reach     farthest a coordinate may lie from the origin, in spacings; at most 2^20
-  /// @throw std::invalid_argument naming the first particle that is not finite or out of reach
+  /// @throws std::invalid_argument naming the first particle that is not finite or out of reach
   ParticleBins(std::span<const glm::vec3> positions, float spacing, double bin_size, double reach);
 
   std::size_t bin_count() const { return keys_.size(); }

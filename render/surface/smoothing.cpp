@@ -69,12 +69,12 @@ void relax(const Neighbours& neighbours, const std::vector<float>& share,
 
 // Largest share of the way to the neighbours' mean: a full step would let two-coloured patterns
 // swing for ever.
-constexpr float kStep = 0.7f;
+constexpr float step = 0.7f;
 
 // From none where the liquid is one or two layers of particles thick to full over the bulk.
 float smoothing_weight(float bulk) {
   const float t = std::clamp((bulk - 0.6f) / (0.9f - 0.6f), 0.0f, 1.0f);
-  return kStep * t * t * (3.0f - 2.0f * t);
+  return step * t * t * (3.0f - 2.0f * t);
 }
 
 // 2 L - L^2 of some of the vertices, which are whole pieces of the mesh.
@@ -176,7 +176,7 @@ glm::dvec3 position_of(const Lanes& p) {
 }
 
 // Share of a piece's volume that smoothing may take from it, or add to a bubble.
-constexpr double kMostLost = 0.01;
+constexpr double most_lost = 0.01;
 
 // Gives pieces of which smoothing took too much as many iterations as leave them their volume,
 // between the powers of two below the number asked for.
@@ -195,7 +195,7 @@ void give_volume_back(const Mesh& mesh, Filter& filter, int iterations,
   std::vector<double> lost = losses(points);
   std::vector<char> beyond(pieces.count());
   for (std::size_t piece = 0; piece < beyond.size(); ++piece)
-    beyond[piece] = !(lost[piece] <= kMostLost);  // where there is no volume, there is no number
+    beyond[piece] = !(lost[piece] <= most_lost);  // where there is no volume, there is no number
   for (std::vector<std::uint32_t> vertices = pieces.vertices_of(beyond); !vertices.empty();
        vertices = pieces.vertices_of(beyond)) {
     iterations /= 2;
@@ -207,11 +207,11 @@ void give_volume_back(const Mesh& mesh, Filter& filter, int iterations,
     for (const std::uint32_t v : vertices) {
       const std::uint32_t piece = pieces.of_vertex(v);
       const double less = lost_by_fewer[piece], more = lost[piece];
-      const double part = less <= kMostLost && more > less ? (kMostLost - less) / (more - less) : 0;
+      const double part = less <= most_lost && more > less ? (most_lost - less) / (more - less) : 0;
       points[v] = fewer[v] + float(part) * (points[v] - fewer[v]);
     }
     for (std::size_t piece = 0; piece < beyond.size(); ++piece)
-      beyond[piece] = beyond[piece] && !(lost_by_fewer[piece] <= kMostLost);
+      beyond[piece] = beyond[piece] && !(lost_by_fewer[piece] <= most_lost);
     lost = lost_by_fewer;
   }
 }

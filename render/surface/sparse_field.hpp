@@ -16,15 +16,15 @@
 
 namespace spindrift::surface {
 
-inline constexpr int kBlockEdge = 8;  ///< nodes along the edge of a block
-inline constexpr int kBlockNodes = kBlockEdge * kBlockEdge * kBlockEdge;
+inline constexpr int block_edge = 8;  ///< nodes along the edge of a block
+inline constexpr int block_nodes = block_edge * block_edge * block_edge;
 
 /// On which side of the iso-value the nodes of a block lie.
-enum class BlockSide : std::uint8_t { kOutside, kInside, kBoth };
+enum class BlockSide : std::uint8_t { outside, inside, both };
 
 class SparseField {
  public:
-  static constexpr std::uint32_t kNoBlock = ~std::uint32_t{0};
+  static constexpr std::uint32_t no_block = ~std::uint32_t{0};
 
   /// @param cell_size in spacings
   SparseField(const ParticleBins& bins, const Coverage& coverage, double cell_size,
@@ -35,18 +35,18 @@ class SparseField {
 
   /// Block coordinates: the block's first node is 8 times this.
   glm::ivec3 cell(std::size_t block) const { return grid_cell(keys_[block]) + lower_; }
-  /// The block at these block coordinates, or kNoBlock.
+  /// The block at these block coordinates, or no_block.
   std::uint32_t find(const glm::ivec3& block_cell) const;
 
   BlockSide side(std::uint32_t block) const {
-    return block == kNoBlock ? BlockSide::kOutside : sides_[block];
+    return block == no_block ? BlockSide::outside : sides_[block];
   }
 
-  /// A block and its 26 neighbours, or kNoBlock: x + 3 y + 9 z, the block itself at 13.
+  /// A block and its 26 neighbours, or no_block: x + 3 y + 9 z, the block itself at 13.
   using Around = std::array<std::uint32_t, 27>;
   Around around(std::uint32_t block) const;
 
-  /// Field at the nodes of a block, which may be kNoBlock.
+  /// Field at the nodes of a block, which may be no_block.
   const float* values(std::uint32_t block) const;
   float value(std::uint32_t block, int node) const { return values(block)[node]; }
 
@@ -63,7 +63,7 @@ class SparseField {
   glm::ivec3 lower_{0};
   std::vector<std::uint64_t> keys_;
   std::vector<BlockSide> sides_;
-  std::vector<std::uint32_t> slots_;  ///< where a block's values are; kNoBlock: deep inside, all 1
+  std::vector<std::uint32_t> slots_;  ///< where a block's values are; no_block: deep inside, all 1
   std::unique_ptr<float[]> values_;
 };
 

@@ -21,7 +21,8 @@ struct SurfaceSettings {
 /// The surface lies about half a spacing outside the outermost particle centres.
 /// @param positions particle centres, m
 /// @param spacing   particle spacing, m
-/// @throw std::invalid_argument for settings out of range, and for a particle that is not finite or
+/// @throws std::invalid_argument for settings out of range, and for a particle that is not finite
+/// or
 ///        more than 2^20 cells or spacings away from the origin
 Mesh reconstruct_surface(std::span<const glm::vec3> positions, float spacing,
                          const SurfaceSettings& settings);

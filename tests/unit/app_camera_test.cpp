@@ -60,9 +60,8 @@ void check_closed(const Mesh& mesh) {
     }
   }
   CHECK(backward == 0);
-  for (const auto& [edge, balance] : edges) {
+  for (const auto& [edge, balance] : edges)
     REQUIRE(balance == 0);
-  }
 }
 
 }  // namespace
@@ -127,9 +126,8 @@ TEST_CASE("the camera passes through its keys, rests at the ends and never overs
 TEST_CASE("a still camera is where it is put at any time") {
   CameraSettings camera;
   camera.keyframes = {{0.f, {1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 45.f}};
-  for (const double time : {-1., 0., 5.}) {
+  for (const double time : {-1., 0., 5.})
     CHECK(view_at(camera, {}, 1.f, time).position == glm::vec3(1.f, 2.f, 3.f));
-  }
 }
 
 TEST_CASE("obstacle meshes are closed, face outward and hold the shape's volume") {

@@ -34,12 +34,10 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
 
 std::string obj_text(const sim::TriangleSurface& surface) {
   std::string text = "# a comment\nmtllib nowhere.mtl\no thing\n";
-  for (const glm::vec3& v : surface.vertices) {
+  for (const glm::vec3& v : surface.vertices)
     text += fmt::format("v {} {} {}\n", v.x, v.y, v.z);
-  }
-  for (const glm::uvec3& t : surface.triangles) {
+  for (const glm::uvec3& t : surface.triangles)
     text += fmt::format("f {} {} {}\n", t.x + 1, t.y + 1, t.z + 1);
-  }
   return text;
 }
 
@@ -65,23 +63,19 @@ std::string ply_text(const sim::TriangleSurface& surface) {
       "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
       "property float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
       surface.vertices.size(), surface.triangles.size());
-  for (const glm::vec3& v : surface.vertices) {
+  for (const glm::vec3& v : surface.vertices)
     text += fmt::format("{} {} {}\n", v.x, v.y, v.z);
-  }
-  for (const glm::uvec3& t : surface.triangles) {
+  for (const glm::uvec3& t : surface.triangles)
     text += fmt::format("3 {} {} {}\n", t.x, t.y, t.z);
-  }
   return text;
 }
 
 /// The corners of all triangles in order, which is what a file must keep.
 std::vector<glm::vec3> corners(const sim::TriangleSurface& surface) {
   std::vector<glm::vec3> all;
-  for (const glm::uvec3& t : surface.triangles) {
-    for (int k = 0; k < 3; ++k) {
+  for (const glm::uvec3& t : surface.triangles)
+    for (int k = 0; k < 3; ++k)
       all.push_back(surface.vertices[t[k]]);
-    }
-  }
   return all;
 }
 
@@ -180,14 +174,12 @@ TEST_CASE("triangles that wind differently are turned to face outward") {
   auto ball = ball_mesh(glm::vec3(0), 1, 2);
   const double volume = enclosed_volume(ball);
   SECTION("all of them") {
-    for (auto& t : ball.triangles) {
+    for (auto& t : ball.triangles)
       std::swap(t.y, t.z);
-    }
   }
   SECTION("one of three") {
-    for (std::size_t k = 0; k < ball.triangles.size(); k += 3) {
+    for (std::size_t k = 0; k < ball.triangles.size(); k += 3)
       std::swap(ball.triangles[k].y, ball.triangles[k].z);
-    }
   }
   const auto turned = closed_surface(ball);
   CHECK(enclosed_volume(turned) == Approx(volume));
@@ -245,9 +237,8 @@ TEST_CASE("bad mesh files are refused with their place, the reason and what to d
     return ply_text(broken);
   }());
   auto flat = box;
-  for (glm::vec3& v : flat.vertices) {
+  for (glm::vec3& v : flat.vertices)
     v.z = 0;
-  }
   write_text(folder / "flat.obj", obj_text(flat));
   std::filesystem::create_directory(folder / "folder.obj");
 
@@ -285,11 +276,9 @@ TEST_CASE("surfaces that no turning closes are refused") {
   // A Möbius strip closed over by nothing has open edges; a Klein bottle has none, and one side.
   sim::TriangleSurface klein;
   const unsigned n = 8;
-  for (unsigned j = 0; j < n; ++j) {
-    for (unsigned i = 0; i < n; ++i) {
+  for (unsigned j = 0; j < n; ++j)
+    for (unsigned i = 0; i < n; ++i)
       klein.vertices.push_back({i, j, static_cast<float>((i * 7 + j * 3) % 5)});
-    }
-  }
   const auto at = [&](unsigned i, unsigned j) {
     return j == n ? (n - i) % n : j * n + i % n;  // the last row meets the first one mirrored
   };
@@ -355,9 +344,8 @@ TEST_CASE("a drawn mesh is smooth where it is round and sharp at its edges") {
   CHECK(sharp.vertices.size() == 24);
   for (const glm::uvec3& t : sharp.triangles) {
     const glm::vec3 a = sharp.vertices[t.x], b = sharp.vertices[t.y], c = sharp.vertices[t.z];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
       CHECK(glm::dot(sharp.normals[t[k]], glm::normalize(glm::cross(b - a, c - a))) > 0.9999f);
-    }
   }
 }
 

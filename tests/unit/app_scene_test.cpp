@@ -29,11 +29,9 @@ const std::filesystem::path scenes = std::filesystem::path(SOURCE_DIR) / "scenes
 
 std::vector<std::filesystem::path> shipped_scenes() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
-    if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json") {
+  for (const auto& entry : std::filesystem::directory_iterator(scenes))
+    if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json")
       files.push_back(entry.path());
-    }
-  }
   return files;
 }
 

@@ -28,11 +28,10 @@ inline constexpr bool takes<T, std::index_sequence<I...>> = requires {
 /// How many members an aggregate has: the most initial values that it takes.
 template <class T, std::size_t Count = 40>
 constexpr std::size_t member_count() {
-  if constexpr (Count == 0 || takes<T, std::make_index_sequence<Count>>) {
+  if constexpr (Count == 0 || takes<T, std::make_index_sequence<Count>>)
     return Count;
-  } else {
+  else
     return member_count<T, Count - 1>();
-  }
 }
 
 template <class T>

@@ -77,12 +77,10 @@ inline Mesh ball(glm::vec3 centre, float radius) {
   for (unsigned i = 0; i < n; ++i) {
     for (unsigned j = 0; j < n; ++j) {
       const unsigned a = i * n + j, b = i * n + (j + 1) % n;
-      if (i > 0) {
+      if (i > 0)
         mesh.triangles.push_back({a, b + n, b});
-      }
-      if (i + 1 < n) {
+      if (i + 1 < n)
         mesh.triangles.push_back({a, a + n, b + n});
-      }
     }
   }
   return mesh;
@@ -92,9 +90,8 @@ inline void append(Mesh& mesh, const Mesh& more) {
   const auto first = static_cast<unsigned>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
   mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
-  for (const glm::uvec3& triangle : more.triangles) {
+  for (const glm::uvec3& triangle : more.triangles)
     mesh.triangles.push_back(triangle + first);
-  }
 }
 
 }  // namespace spindrift::gl::test

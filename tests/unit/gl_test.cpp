@@ -149,11 +149,10 @@ TEST_CASE("a liquid box covers the pixels that projection predicts, and no other
           glm::any(glm::lessThan(p + 1.f, low)) || glm::any(glm::greaterThan(p, high));
       const bool drawn = pixel(image, x, y) != pixel(empty, x, y);
       CAPTURE(x, y);
-      if (inside) {
+      if (inside)
         REQUIRE(drawn);
-      } else if (outside) {
+      else if (outside)
         REQUIRE_FALSE(drawn);
-      }
     }
   }
 }
@@ -247,11 +246,10 @@ TEST_CASE("a particle's silhouette is the sphere's") {
       const float distance = glm::distance(glm::vec2(x, y) + 0.5f, 0.5f * size);
       covered += drawn;
       CAPTURE(x, y, distance, expected);
-      if (distance < expected - 1.f) {
+      if (distance < expected - 1.f)
         REQUIRE(drawn);
-      } else if (distance > expected + 1.f) {
+      else if (distance > expected + 1.f)
         REQUIRE_FALSE(drawn);
-      }
     }
   }
   CHECK(std::sqrt(static_cast<float>(covered) / 3.14159265f) == Approx(expected).margin(1.f));
@@ -334,9 +332,8 @@ TEST_CASE("a box darkens the floor in its shadow and nowhere else") {
   const auto draw = [&](bool shadows) {
     light.shadows = shadows;
     Renderer renderer(width, height, look, light, {});
-    if (!as_liquid) {
+    if (!as_liquid)
       renderer.set_obstacles(solid);
-    }
     return renderer.draw(as_liquid ? solid : Mesh{}, view_from_above());
   };
   const Image with = draw(true), without = draw(false);
@@ -357,11 +354,9 @@ TEST_CASE("nothing stands on the stage when floor and walls are off") {
   const View view = front_view();
   Renderer bare(width, height, look, {}, {});
   const Image empty = bare.draw(Mesh{}, view);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 1; x < width; ++x) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 1; x < width; ++x)
       REQUIRE(pixel(empty, x, y) == pixel(empty, 0, y));
-    }
-  }
   look.walls = true;
   Renderer walled(width, height, look, {}, {});
   const Image walls = walled.draw(Mesh{}, view);

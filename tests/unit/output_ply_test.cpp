@@ -29,13 +29,11 @@ struct Ply {
     REQUIRE(end != std::string::npos);
     data = all.substr(end + mark.size());
     std::istringstream header(all.substr(0, end));
-    for (std::string line; std::getline(header, line);) {
-      if (line.rfind("comment", 0) == 0) {
+    for (std::string line; std::getline(header, line);)
+      if (line.rfind("comment", 0) == 0)
         comments += line + "\n";
-      } else {
+      else
         lines.push_back(line);
-      }
-    }
   }
 
   template <class T>

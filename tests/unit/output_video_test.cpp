@@ -143,9 +143,8 @@ std::vector<std::string> boxes(const std::filesystem::path& file) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at + 8 <= all.size();) {
     std::size_t size = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i)
       size = size << 8 | static_cast<unsigned char>(all[at + i]);
-    }
     REQUIRE(size >= 8);
     names.push_back(all.substr(at + 4, 4));
     at += size;
@@ -170,9 +169,8 @@ TEST_CASE("A video has all its frames at a constant rate and lasts exactly frame
       REQUIRE(video.duration * video.time_base.num * rate ==
               std::int64_t(frames) * video.time_base.den);
       REQUIRE(std::abs(double(video.file_duration) - 1e6 * frames / rate) <= 1.0);
-      for (int i = 0; i < frames; ++i) {
+      for (int i = 0; i < frames; ++i)
         REQUIRE(std::abs(video.times[std::size_t(i)] - double(i) / rate) < 1e-9);
-      }
     }
   }
 }
@@ -225,16 +223,14 @@ TEST_CASE("Plain colours come back from a video as they were") {
     CAPTURE(c[0], c[1], c[2]);
     {
       output::VideoWriter writer(folder / "v.mp4", small_video());
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i)
         writer.add(solid(320, 180, c[0], c[1], c[2]));
-      }
       writer.finish();
     }
     for (const Image& frame : read_video(folder / "v.mp4").frames) {
       const std::size_t centre = (std::size_t(90) * 320 + 160) * 3;
-      for (std::size_t channel = 0; channel < 3; ++channel) {
+      for (std::size_t channel = 0; channel < 3; ++channel)
         REQUIRE(std::abs(int(frame.pixels[centre + channel]) - c[channel]) <= 3);
-      }
     }
   }
 }
@@ -296,9 +292,8 @@ TEST_CASE("The same frames give the same bytes, on one core too") {
   cpu_set_t before;
   REQUIRE(::sched_getaffinity(0, sizeof before, &before) == 0);
   int first = 0;
-  while (!CPU_ISSET(first, &before)) {
+  while (!CPU_ISSET(first, &before))
     ++first;
-  }
   cpu_set_t one;
   CPU_ZERO(&one);
   CPU_SET(first, &one);
@@ -311,9 +306,8 @@ TEST_CASE("The same frames give the same bytes, on one core too") {
 TEST_CASE("A video has its name only when finished") {
   const TemporaryFolder folder;
   output::VideoWriter writer(folder / "v.mp4", small_video());
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 60; ++i)
     writer.add(waves(320, 180, i / 30.0));
-  }
   REQUIRE_FALSE(std::filesystem::exists(folder / "v.mp4"));
   writer.finish();
   REQUIRE(std::filesystem::exists(folder / "v.mp4"));
@@ -327,9 +321,8 @@ TEST_CASE("An interrupted video leaves a playable file of what was added") {
   const TemporaryFolder folder;
   try {
     output::VideoWriter writer(folder / "v.mp4", small_video());
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 7; ++i)
       writer.add(waves(320, 180, i / 30.0));
-    }
     throw std::runtime_error("interrupted");
   } catch (const std::runtime_error&) {
   }
@@ -419,9 +412,8 @@ TEST_CASE("A disk that fills up under a video is an error, and leaves nothing") 
     CAPTURE(limit);
     REQUIRE(fails_when_full(limit, "v.mp4", [&] {
       output::VideoWriter writer(folder / "v.mp4", small_video());
-      for (std::uint32_t i = 0; i < 60; ++i) {
+      for (std::uint32_t i = 0; i < 60; ++i)
         writer.add(noise(320, 180, i));
-      }
       writer.finish();
     }));
     REQUIRE(folder.entries() == 0);
@@ -432,9 +424,8 @@ TEST_CASE("A disk that fills up stops a video while frames are added, not only a
   const TemporaryFolder folder;
   REQUIRE(fails_when_full(600000, "v.mp4", [&] {
     output::VideoWriter writer(folder / "v.mp4", small_video());
-    for (std::uint32_t i = 0; i < 200; ++i) {
+    for (std::uint32_t i = 0; i < 200; ++i)
       writer.add(noise(320, 180, i));
-    }
   }));
   REQUIRE(folder.entries() == 0);
 }

@@ -188,7 +188,7 @@ TEST_CASE("blocks deep in the liquid are not sampled and change nothing") {
   const Points points = box_of_particles(glm::ivec3(24), 1.0f, 0.1f);
   const SparseField field = field_of(points, 0.5f, 0.5);
   const std::uint32_t middle = field.find({3, 3, 3});
-  REQUIRE(middle != SparseField::kNoBlock);
+  REQUIRE(middle != SparseField::no_block);
   CHECK(field.value(middle, 0) == 1.0f);
   CHECK(piece_count(march_cubes(field, 0.5f, 1.0f).mesh) == 1);
 }

@@ -36,14 +36,12 @@ TriangleSurface joined(const TriangleSurface& from) {
       const glm::vec3 place = from.vertices[t[k]] + 0.f;  // no −0
       const auto [found, is_new] =
           numbers.emplace(place, static_cast<std::uint32_t>(into.vertices.size()));
-      if (is_new) {
+      if (is_new)
         into.vertices.push_back(place);
-      }
       corners[k] = found->second;
     }
-    if (corners.x != corners.y && corners.y != corners.z && corners.z != corners.x) {
+    if (corners.x != corners.y && corners.y != corners.z && corners.z != corners.x)
       into.triangles.push_back(corners);
-    }
   }
   return into;
 }
@@ -77,9 +75,8 @@ void for_each_edge(const std::vector<Side>& sides, F f) {
   for (std::size_t first = 0; first < sides.size();) {
     std::size_t last = first;
     while (last < sides.size() && sides[last].low == sides[first].low &&
-           sides[last].high == sides[first].high) {
+           sides[last].high == sides[first].high)
       ++last;
-    }
     f(first, last);
     first = last;
   }
@@ -126,22 +123,18 @@ TriangleSurface without_doubles(const TriangleSurface& surface) {
   std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return key(i) < key(j); });
   std::vector<char> once(order.size(), 0), odd(order.size(), 0);
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    while (last < order.size() && key(order[last]) == key(order[first])) {
+    while (last < order.size() && key(order[last]) == key(order[first]))
       ++last;
-    }
     once[order[first]] = 1;
     odd[order[first]] = (last - first) % 2 != 0;
   }
-  if (once == odd && std::count(once.begin(), once.end(), 0) == 0) {
+  if (once == odd && std::count(once.begin(), once.end(), 0) == 0)
     return surface;
-  }
   const auto chosen = [&](const std::vector<char>& wanted) {
     TriangleSurface some{surface.vertices, {}};
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (wanted[i]) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (wanted[i])
         some.triangles.push_back(surface.triangles[i]);
-      }
-    }
     return some;
   };
   TriangleSurface single = chosen(once);
@@ -161,9 +154,8 @@ using Neighbours = std::vector<std::array<Neighbour, 3>>;
 void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
   const auto place = [&](std::uint32_t vertex) { return glm::dvec3(surface.vertices[vertex]); };
   glm::dvec3 from = place(sides[0].low), to = place(sides[0].high);
-  if (is_before(to, from)) {
+  if (is_before(to, from))
     std::swap(from, to);
-  }
   const glm::dvec3 axis = glm::normalize(to - from);
   struct Around {
     glm::dvec3 corner, way;  ///< the third, and to it from the edge
@@ -184,9 +176,8 @@ void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
         return of_a < of_b || (of_a == of_b && is_before(a.corner, b.corner));
       })->way;
   const glm::dvec3 across = glm::cross(axis, start);
-  for (Around& one : all) {
+  for (Around& one : all)
     one.angle = std::atan2(glm::dot(across, one.way), glm::dot(start, one.way));
-  }
   std::stable_sort(all.begin(), all.end(), [](const Around& a, const Around& b) {
     return a.angle < b.angle || (a.angle == b.angle && is_before(a.corner, b.corner));
   });
@@ -199,9 +190,8 @@ Neighbours neighbours_of(const TriangleSurface& surface, std::vector<Side>& side
   Neighbours neighbours(surface.triangles.size());
   std::vector<unsigned char> known(surface.triangles.size(), 0);
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
-    if (last - first > 2) {
+    if (last - first > 2)
       sort_around_edge(surface, std::span(sides).subspan(first, last - first));
-    }
     for (std::size_t k = first; k + 1 < last; k += 2) {
       const Side &a = sides[k], &b = sides[k + 1];
       neighbours[a.triangle][known[a.triangle]++] = {b.triangle, a.upward == b.upward};
@@ -236,9 +226,8 @@ std::vector<std::vector<std::uint32_t>> turned_parts(TriangleSurface& surface,
   std::vector<State> states(surface.triangles.size(), State::unseen);
   std::vector<std::vector<std::uint32_t>> parts;
   for (std::uint32_t start = 0; start < states.size(); ++start) {
-    if (states[start] != State::unseen) {
+    if (states[start] != State::unseen)
       continue;
-    }
     std::vector<std::uint32_t>& part = parts.emplace_back(1, start);
     states[start] = State::kept;
     for (std::size_t k = 0; k < part.size(); ++k) {
@@ -254,18 +243,15 @@ std::vector<std::vector<std::uint32_t>> turned_parts(TriangleSurface& surface,
       }
     }
   }
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (states[i] == State::turned) {
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i] == State::turned)
       turn(surface.triangles[i]);
-    }
-  }
   return parts;
 }
 
 void turn_all(TriangleSurface& surface, const std::vector<std::uint32_t>& part) {
-  for (const std::uint32_t i : part) {
+  for (const std::uint32_t i : part)
     turn(surface.triangles[i]);
-  }
 }
 
 /// Refuses a surface that encloses next to nothing beside its size.
@@ -276,9 +262,8 @@ void check_volume(const TriangleSurface& surface) {
     high = glm::max(high, v);
   }
   const double width = glm::length(glm::dvec3(high) - glm::dvec3(low));
-  if (!(enclosed_volume(surface) > 1e-9 * width * width * width)) {
+  if (!(enclosed_volume(surface) > 1e-9 * width * width * width))
     throw MeshError("encloses no volume: it is flat");
-  }
 }
 
 }  // namespace
@@ -293,9 +278,8 @@ std::size_t inner_shells(const TriangleSurface& closed) {
 
 TriangleSurface closed_surface(const TriangleSurface& triangles) {
   TriangleSurface surface = joined(triangles);
-  if (surface.triangles.empty()) {
+  if (surface.triangles.empty())
     throw MeshError("has no triangles");
-  }
   surface = without_doubles(surface);
   std::vector<Side> sides = sides_of(surface);
   check_edges(surface, sides);
@@ -303,14 +287,12 @@ TriangleSurface closed_surface(const TriangleSurface& triangles) {
   std::vector<Shell> shells;
   for (const auto& part : parts) {
     const double volume = volume_of(surface, part);
-    if (volume < 0.) {
+    if (volume < 0.)
       turn_all(surface, part);
-    }
     shells.push_back({part, std::abs(volume)});
   }
-  for (const std::size_t cavity : cavities_among(surface, shells)) {
+  for (const std::size_t cavity : cavities_among(surface, shells))
     turn_all(surface, parts[cavity]);
-  }
   check_volume(surface);
   return surface;
 }

@@ -27,28 +27,23 @@ std::vector<glm::dvec2> flattened(const std::vector<glm::vec3>& vertices,
     normal += glm::cross(a, b);
   }
   int axis = 0;
-  for (const int other : {1, 2}) {
+  for (const int other : {1, 2})
     axis = std::abs(normal[other]) > std::abs(normal[axis]) ? other : axis;
-  }
   int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  if (normal[axis] < 0) {
+  if (normal[axis] < 0)
     std::swap(u, v);
-  }
   std::vector<glm::dvec2> flat;
   flat.reserve(corners.size());
-  for (const std::uint32_t corner : corners) {
+  for (const std::uint32_t corner : corners)
     flat.push_back({vertices[corner][u], vertices[corner][v]});
-  }
   return flat;
 }
 
 bool is_convex(const std::vector<glm::dvec2>& flat) {
   const std::size_t n = flat.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!(turn_of(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) > 0)) {
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(turn_of(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n]) > 0))
       return false;
-    }
-  }
   return true;
 }
 
@@ -60,9 +55,8 @@ class Ring {
       corners_[i].before = (i + corners_.size() - 1) % corners_.size();
       corners_[i].after = (i + 1) % corners_.size();
     }
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
+    for (std::size_t i = 0; i < corners_.size(); ++i)
       corners_[i].is_ear = is_ear(i);
-    }
   }
 
   /// Calls f(before, tip, after) for each triangle that is cut off.
@@ -70,9 +64,8 @@ class Ring {
   void clip(F f) {
     std::size_t at = 0;
     for (std::size_t left = corners_.size(); left > 2; --left) {
-      for (std::size_t looked = 0; !corners_[at].is_ear && looked < left; ++looked) {
+      for (std::size_t looked = 0; !corners_[at].is_ear && looked < left; ++looked)
         at = corners_[at].after;
-      }
       const auto [before, after, unused] = corners_[at];
       f(before, at, after);
       corners_[before].after = after;
@@ -97,16 +90,14 @@ class Ring {
   /// is in it, but for those at the same places, where a polygon touches itself around a hole.
   bool is_ear(std::size_t i) const {
     const glm::dvec2 &a = flat_[corners_[i].before], &b = flat_[i], &c = flat_[corners_[i].after];
-    if (!(turn_of(a, b, c) > 0)) {
+    if (!(turn_of(a, b, c) > 0))
       return false;
-    }
     for (std::size_t k = corners_[corners_[i].after].after; k != corners_[i].before;
          k = corners_[k].after) {
       const glm::dvec2& p = flat_[k];
       const bool within = turn_of(a, b, p) >= 0 && turn_of(b, c, p) >= 0 && turn_of(c, a, p) >= 0;
-      if (within && p != a && p != b && p != c && turn_at(k) <= 0) {
+      if (within && p != a && p != b && p != c && turn_at(k) <= 0)
         return false;
-      }
     }
     return true;
   }
@@ -122,18 +113,16 @@ void cut_polygon(const std::vector<glm::vec3>& vertices, std::span<const std::ui
   const auto cut_off = [&](std::size_t a, std::size_t b, std::size_t c) {
     into.push_back({corners[a], corners[b], corners[c]});
   };
-  if (corners.size() < 3) {
+  if (corners.size() < 3)
     return;
-  }
   if (corners.size() == 3) {
     cut_off(0, 1, 2);
     return;
   }
   std::vector<glm::dvec2> flat = flattened(vertices, corners);
   if (is_convex(flat)) {
-    for (std::size_t i = 2; i < corners.size(); ++i) {
+    for (std::size_t i = 2; i < corners.size(); ++i)
       cut_off(0, i - 1, i);
-    }
     return;
   }
   if (corners.size() > most_corners) {

@@ -38,9 +38,8 @@ class Enclosure {
   /// @param lookups goes up by the places that are looked up
   bool contains(const Enclosure& other, const TriangleSurface& surface, std::size_t& lookups) {
     if (glm::any(glm::lessThan(other.low_, low_)) ||
-        glm::any(glm::greaterThan(other.high_, high_)) || volume_ <= other.volume_) {
+        glm::any(glm::greaterThan(other.high_, high_)) || volume_ <= other.volume_)
       return false;
-    }
     bool any_inside = false;
     for (const std::uint32_t i : other.triangles_) {
       const glm::uvec3& t = surface.triangles[i];
@@ -49,13 +48,11 @@ class Enclosure {
       for (const glm::vec3& place : {a, b, c, (a + b + c) / 3.f}) {
         ++lookups;
         const bool inside = tree(surface).winding_number(place) > 0;
-        if (inside && any_inside) {
+        if (inside && any_inside)
           continue;
-        }
         const bool decided = tree(surface).nearest(place).distance > surface_part * width();
-        if (decided && !inside) {
+        if (decided && !inside)
           return false;
-        }
         any_inside = any_inside || decided;
       }
     }
@@ -71,9 +68,8 @@ class Enclosure {
       for (const std::uint32_t i : triangles_) {
         part.triangles.push_back(glm::uvec3(0, 1, 2) +
                                  static_cast<std::uint32_t>(part.vertices.size()));
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
           part.vertices.push_back(surface.vertices[surface.triangles[i][k]]);
-        }
       }
       tree_.emplace(part);
     }
@@ -106,12 +102,10 @@ std::vector<std::size_t> cavities_among(const TriangleSurface& surface,
     const auto around = std::count_if(near.begin(), near.end(), [&](std::uint32_t j) {
       return enclosures[j].contains(enclosures[i], surface, lookups);
     });
-    if (around % 2 != 0) {
+    if (around % 2 != 0)
       cavities.push_back(i);
-    }
-    if (lookups > most_lookups || pairs > most_pairs) {
+    if (lookups > most_lookups || pairs > most_pairs)
       throw MeshError("has too many parts within each other to tell what is hollow");
-    }
   }
   return cavities;
 }
