@@ -79,7 +79,7 @@ void Inflow::attach(Walls& walls) {
     const Nozzle& nozzle = nozzles_[n];
     const Box in = nozzle.bounds();
     std::vector<WallSample> samples, beside;
-    std::vector<RimSample> rim;
+    NozzleSamples found;
     for (std::uint32_t b = 0; b < boundary.count(); ++b) {
       const glm::vec3 x = boundary.position(b);
       if (glm::any(glm::lessThan(x, in.min - reach)) ||
@@ -88,13 +88,15 @@ void Inflow::attach(Walls& walls) {
       const float volume = boundary.volume(b), solid = boundary.solids()[b];
       if (nozzle.is_in_the_way(x)) {
         samples.push_back({b, volume, solid, 0, lowered});
+        found.in_the_way.push_back({x, volume});
       } else if (const double sum = nozzle.kernel_sum(x, kernel); sum > 0) {
         const float taken = constants_.volume * static_cast<float>(sum);
         beside.push_back({b, volume, solid, 1, taken});
-        rim.push_back({x, volume});
+        found.beside.push_back({x, volume});
       }
     }
-    const std::vector<float> parts = parts_beside(nozzle, rim, reach, constants_.volume);
+    const std::vector<float> parts =
+        parts_beside(nozzle, found, reach, constants_.spacing, constants_.volume);
     for (std::size_t k = 0; k < beside.size(); ++k) {
       beside[k].part = parts[k];
       samples.push_back(beside[k]);
@@ -105,11 +107,12 @@ void Inflow::attach(Walls& walls) {
 
 /// Nozzles beside each other may share samples: what these stand for depends on how far each is
 /// closed, and not on which was so first.
-void Inflow::open_walls(Executor& executor, Walls& walls, double time) {
+void Inflow::open_walls(Executor& executor, Walls& walls, double start, double end) {
   bool changed = false;
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
     Opening& opening = openings_[n];
-    const double part = nozzles_[n].closed_part(time + instant);
+    const Nozzle& nozzle = nozzles_[n];
+    const double part = nozzle.begin() > start + instant ? 1 : nozzle.closed_part(end + instant);
     if (opening.closed_part == part)
       continue;
     changed = true;
@@ -142,7 +145,7 @@ void Inflow::resume(Executor& executor, Particles& particles, Walls& walls, doub
     entered_[n] = nozzles_[n].entered(time + instant);
   note_held_layers(time);
   mark(executor, particles);
-  open_walls(executor, walls, time);
+  open_walls(executor, walls, time, time);
 }
 
 void Inflow::note_held_layers(double time) {
@@ -295,7 +298,7 @@ Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls,
   for (const Layer& l : entering)
     exchange += bring(executor, particles, l, time);
   mark(executor, particles);
-  open_walls(executor, walls, time);
+  open_walls(executor, walls, time, time);
   return exchange;
 }
 

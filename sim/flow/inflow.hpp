@@ -79,7 +79,9 @@ class Inflow {
   // Parts of advance(); public since CUDA has no loops in private functions.
   void release(Executor& executor, Particles& particles, double time, double last_step,
                const Vec3<float>& acceleration);
-  void open_walls(Executor& executor, Walls& walls, double time);
+  /// Opens walls, and closes them again, as they are at the end of a step, s. A nozzle that begins
+  /// there opens its wall when its liquid has come, with open_walls(end, end).
+  void open_walls(Executor& executor, Walls& walls, double start, double end);
   /// Notes which particles are in a nozzle.
   void mark(Executor& executor, Particles& particles);
   /// Particles in a box, but for those in a nozzle, m.

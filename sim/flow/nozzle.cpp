@@ -1,8 +1,10 @@
 #include "sim/flow/nozzle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "sim/core/kernels.hpp"
 
@@ -19,8 +21,16 @@ Frame2 frame_of(const glm::vec3& direction, const glm::vec3& up) {
   return {across, glm::cross(direction, across)};
 }
 
-/// A square lattice in the disc, one point or four around its centre: as many points as make their
-/// distance come nearest to the spacing when each has the same share of the area.
+/// Offsets of a square lattice from a disc's centre, lattice steps, that have a point or four
+/// around it.
+constexpr std::array<glm::vec2, 2> even_offsets{{{0, 0}, {0.5f, 0.5f}}};
+/// One that has two. A lattice strained by more than a tenth is too dense by itself, so that small
+/// discs need it.
+constexpr glm::vec2 uneven_offset{0.5f, 0};
+constexpr double most_strain = 0.08;
+
+/// A square lattice in the disc: as many points as make their distance come nearest to the spacing
+/// when each has the same share of the area.
 OpeningPoints fill(const Disc& disc, float spacing) {
   struct Place {
     glm::vec2 at;  ///< lattice steps
@@ -31,11 +41,11 @@ OpeningPoints fill(const Disc& disc, float spacing) {
   std::vector<Place> best;
   double best_step = 0;
   const auto misfit = [&](double step) { return std::abs(std::log(step / spacing)); };
-  for (const float offset : {0.f, 0.5f}) {
+  const auto try_lattice = [&](const glm::vec2& offset) {
     std::vector<Place> places;
     for (int j = -reach; j <= reach; ++j)
       for (int i = -reach; i <= reach; ++i) {
-        const glm::vec2 at(static_cast<float>(i) + offset, static_cast<float>(j) + offset);
+        const glm::vec2 at = glm::vec2(i, j) + offset;
         places.push_back({at, glm::dot(at, at)});
       }
     std::stable_sort(places.begin(), places.end(),
@@ -48,7 +58,11 @@ OpeningPoints fill(const Disc& disc, float spacing) {
         best_step = step;
       }
     }
-  }
+  };
+  for (const glm::vec2& offset : even_offsets)
+    try_lattice(offset);
+  if (misfit(best_step) > most_strain)
+    try_lattice(uneven_offset);
   const glm::vec3 direction = glm::normalize(disc.direction);
   const bool upright = std::abs(direction.y) > 0.9f;
   const Frame2 frame = frame_of(direction, upright ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
@@ -182,19 +196,42 @@ bool Nozzle::is_in_the_way(const glm::vec3& p) const {
   });
 }
 
+/// @param first how far behind the opening the first layer is, layer distances
+double Nozzle::kernel_sum_with(const glm::vec3& p, const CubicKernel& kernel, double first) const {
+  double sum = 0;
+  for (int layer = 0; layer < depth; ++layer) {
+    const auto behind = static_cast<float>((layer + first) * distance_);
+    for (const glm::vec3& point : points_)
+      sum += kernel.value(glm::distance(p, point - behind * direction_));
+  }
+  return sum;
+}
+
 double Nozzle::kernel_sum(const glm::vec3& p, const CubicKernel& kernel) const {
   constexpr int moments = 8;
   double largest = 0;
-  for (int moment = 0; moment < moments; ++moment) {
-    double sum = 0;
-    for (int layer = 0; layer < depth; ++layer) {
-      const double behind = (layer + static_cast<double>(moment) / moments) * distance_;
-      for (const glm::vec3& point : points_)
-        sum += kernel.value(glm::distance(p, point - static_cast<float>(behind) * direction_));
-    }
-    largest = std::max(largest, sum);
-  }
+  for (int moment = 0; moment < moments; ++moment)
+    largest = std::max(largest, kernel_sum_with(p, kernel, static_cast<double>(moment) / moments));
   return largest;
+}
+
+double Nozzle::kernel_sum_at_begin(const glm::vec3& p, const CubicKernel& kernel) const {
+  return kernel_sum_with(p, kernel, 0.5);
+}
+
+std::pair<glm::vec3, float> Nozzle::opening_ball() const {
+  const glm::vec3 center = std::accumulate(points_.begin(), points_.end(), glm::vec3(0)) /
+                           static_cast<float>(points_.size());
+  float radius = 0;
+  for (const glm::vec3& point : points_)
+    radius = std::max(radius, glm::distance(center, point));
+  return {center, radius};
+}
+
+std::pair<glm::vec3, glm::vec3> Nozzle::axes_across() const {
+  const bool upright = std::abs(direction_.y) > 0.9f;
+  const Frame2 frame = frame_of(direction_, upright ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
+  return {frame.across, frame.up};
 }
 
 float Nozzle::speed_within(double begin, double end) const {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sim/core/settings.hpp"
@@ -76,12 +77,20 @@ class Nozzle {
   /// Σ W over the particles in the full nozzle at a point, at the moment when it is largest as
   /// layers go by; 1/m³.
   double kernel_sum(const glm::vec3& p, const CubicKernel& kernel) const;
+  /// The same when the nozzle has just opened.
+  double kernel_sum_at_begin(const glm::vec3& p, const CubicKernel& kernel) const;
+  /// The middle of the points in the opening, and how far from it they are at most, m.
+  std::pair<glm::vec3, float> opening_ball() const;
+  /// Two directions at right angles to the nozzle's and each other.
+  std::pair<glm::vec3, glm::vec3> axes_across() const;
   /// The fastest speed in the nozzle in the time between, m/s.
   float speed_within(double begin, double end) const;
   /// The box around all particles in the nozzle.
   Box bounds() const;
 
  private:
+  double kernel_sum_with(const glm::vec3& p, const CubicKernel& kernel, double first) const;
+
   double begin_ = 0, speed_ = 0;  ///< s, m/s
   double distance_ = 0;           ///< of two layers, m
   float reach_ = 0;               ///< of a particle across the direction, m

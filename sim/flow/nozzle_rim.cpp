@@ -80,14 +80,53 @@ void add_places(const Nozzle& nozzle, const glm::vec3& column,
   }
 }
 
+/// Σ V W of samples at a place.
+double sum_at(const glm::vec3& at, const std::vector<RimSample>& samples,
+              const CubicKernel& kernel) {
+  double sum = 0;
+  for (const RimSample& sample : samples)
+    sum += double{sample.volume} * kernel.value(glm::distance(at, sample.position));
+  return sum;
+}
+
+/// The places of liquid that stands half a spacing before the wall when the nozzle opens: a grid of
+/// half a spacing, as far around the opening as its particles reach.
+void add_places_before(const Nozzle& nozzle, const NozzleSamples& samples, float support_radius,
+                       float spacing, double particle_volume, std::vector<Place>& places) {
+  const CubicKernel kernel(support_radius);
+  const float step = 0.5f * spacing;
+  const auto [center, reach] = nozzle.opening_ball();
+  const auto [across, up] = nozzle.axes_across();
+  const int most = static_cast<int>((reach + support_radius) / step);
+  for (int j = -most; j <= most; ++j)
+    for (int i = -most; i <= most; ++i) {
+      const glm::vec3 at = center + step * (static_cast<float>(i) * across +
+                                            static_cast<float>(j) * up + nozzle.direction());
+      Place place;
+      for (std::uint32_t b = 0; b < samples.beside.size(); ++b) {
+        const RimSample& sample = samples.beside[b];
+        if (const double w = kernel.value(glm::distance(at, sample.position)); w > 0)
+          place.shares.push_back({b, w * sample.volume});
+      }
+      const double brought = particle_volume * nozzle.kernel_sum_at_begin(at, kernel);
+      if (place.shares.empty() || brought == 0)
+        continue;
+      place.room = accepted + std::max(0., sum_at(at, samples.beside, kernel) +
+                                               sum_at(at, samples.in_the_way, kernel) - brought);
+      places.push_back(std::move(place));
+    }
+}
+
 }  // namespace
 
-std::vector<float> parts_beside(const Nozzle& nozzle, const std::vector<RimSample>& samples,
-                                float support_radius, float particle_volume) {
+std::vector<float> parts_beside(const Nozzle& nozzle, const NozzleSamples& samples,
+                                float support_radius, float spacing, float particle_volume) {
   std::vector<Place> places;
   for (const glm::vec3& column : nozzle.points())
-    add_places(nozzle, column, samples, support_radius, particle_volume, places);
-  std::vector<double> parts(samples.size(), 1.), lost(samples.size()), weight(samples.size());
+    add_places(nozzle, column, samples.beside, support_radius, particle_volume, places);
+  add_places_before(nozzle, samples, support_radius, spacing, particle_volume, places);
+  const std::size_t count = samples.beside.size();
+  std::vector<double> parts(count, 1.), lost(count), weight(count);
   for (int pass = 0; pass < most_passes; ++pass) {
     std::fill(lost.begin(), lost.end(), 0.);
     std::fill(weight.begin(), weight.end(), 0.);

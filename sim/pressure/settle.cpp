@@ -16,6 +16,9 @@ namespace {
 /// Sweeps after which the liquid is taken to find no rest.
 constexpr int most_sweeps = 400;
 
+/// Sweeps after which the rest is left to the steps.
+constexpr int most_sweeps_at_arrival = 20;
+
 /// Part of the compression that a sweep may leave; more where that asks too much.
 constexpr float left_by_a_sweep = 0.5f;
 
@@ -72,19 +75,25 @@ struct Settling {
   const GridMap& map;
   const ContactView& contact;
   float radius;
+  Occasion occasion;
   std::unique_ptr<PcisphSolver> solver = make_pcisph(settings, constants);
 
   int run() {
-    place_alone();
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    const bool arrival = occasion == Occasion::arrival;
+    if (!arrival)
+      place_alone();
+    const int most = arrival ? most_sweeps_at_arrival : most_sweeps;
+    for (int sweep = 0; sweep < most; ++sweep) {
       const Compression found = compression();
       if (found.largest <= settings.max_compression &&
-          found.sum <= double{settings.mean_compression} * particles.count)
+          (arrival || found.sum <= double{settings.mean_compression} * particles.count))
         return sweep;
       part_coincident();
       ease(1 + found.largest);
     }
-    throw std::invalid_argument(no_rest(compression(), particles.count, settings));
+    if (!arrival)
+      throw std::invalid_argument(no_rest(compression(), particles.count, settings));
+    return most;
   }
 
   void find_neighbours() {
@@ -104,8 +113,9 @@ struct Settling {
     float* above = particles.compression.resized(particles.count);
     const float* held = inflow.held(particles);
     const FluidConstants c = constants;
+    const bool held_too = occasion == Occasion::arrival;
     const auto measure_one = [=] SPINDRIFT_HD(std::uint32_t i) {
-      above[i] = is_held(held, i)
+      above[i] = !held_too && is_held(held, i)
                      ? 0
                      : std::max(0.f, density_ratio(i, c, kernel, position, neighbours, solid) - 1);
       return Compression{above[i], above[i], position[i]};
@@ -190,9 +200,9 @@ struct Settling {
 
 int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
            const Inflow& inflow, const FluidConstants& constants, const SolverSettings& settings,
-           const GridMap& map, const ContactView& contact, float radius) {
+           const GridMap& map, const ContactView& contact, float radius, Occasion occasion) {
   return Settling{executor, particles, neighbourhood, inflow, constants,
-                  settings, map,       contact,       radius}
+                  settings, map,       contact,       radius, occasion}
       .run();
 }
 

@@ -1,4 +1,5 @@
-// Liquid that starts too dense is let apart before time begins.
+// Liquid that is put somewhere too densely is let apart: before time begins, and where a nozzle
+// opens into other liquid.
 #pragma once
 
 #include "sim/boundary/contact.hpp"
@@ -7,16 +8,26 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Moves particles that start denser than the solver's tolerances allow, as where volumes overlap
-/// or reach into a wall, apart until they are not. Positions only: nothing gets a velocity from it,
-/// so that the energy of the start is that of the liquid as it can be. Leaves what is not too dense
+/// When particles may be too dense without anything having pressed on them.
+enum class Occasion {
+  /// Time has not begun: the liquid has to be within both tolerances, but for what nozzles hold.
+  start,
+  /// A nozzle has opened into liquid: no particle may be denser than the largest compression that
+  /// is
+  /// allowed, and what twenty sweeps leave is left to the steps that follow.
+  arrival,
+};
+
+/// Moves particles that are denser than the solver's tolerances allow, as where volumes overlap or
+/// reach into a wall, apart until they are not. Positions only: nothing gets a velocity from it, so
+/// that the energy of the start is that of the liquid as it can be. Leaves what is not too dense
 /// alone, and what a nozzle moves.
 /// @param radius within which neighbours are listed, m
 /// @return how many sweeps it took; 0 where nothing was too dense
-/// @throws std::invalid_argument when it is too dense after hundreds of sweeps, which says how much
-/// and where
+/// @throws std::invalid_argument when the start is too dense after hundreds of sweeps, which says
+/// how much and where
 int settle(Executor& executor, Particles& particles, Neighbourhood& neighbourhood,
            const Inflow& inflow, const FluidConstants& constants, const SolverSettings& settings,
-           const GridMap& map, const ContactView& contact, float radius);
+           const GridMap& map, const ContactView& contact, float radius, Occasion occasion);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -173,6 +173,7 @@ struct Run final : Engine {
   double step(double dt, FrameStatistics& statistics) {
     for (int refusals = 0;; ++refusals, dt = time_step.refused(dt), ++statistics.rejected_steps) {
       walls.move(executor, time, time + dt);
+      inflow.open_walls(executor, walls, time, time + dt);
       drift(dt);
       find_neighbours();
       for (const auto& force : forces)
@@ -276,11 +277,25 @@ struct Run final : Engine {
     exchange += inflow.advance(executor, particles, walls, time, time_step.last(),
                                body_acceleration(settings.forces, time));
     if (inflow.disturbs())
-      measure_start();
+      let_in();
     max_speed = largest_speed(executor, particles);
   }
 
-  /// Measures particles as they are given, or where others have come close to them.
+  /// Moves particles apart, without a velocity, where others have come too close to them.
+  void let_in() {
+    FrameStatistics found;
+    measure(found);
+    if (has_settled && found.max_compression > settings.solver.max_compression)
+      let_apart(Occasion::arrival);
+    measure_start();
+  }
+
+  void let_apart(Occasion occasion) {
+    settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
+           walls.contact(), list_radius_factor * constants.support_radius, occasion);
+  }
+
+  /// Measures particles as they are given, or have been moved.
   void measure_start() {
     FrameStatistics unused;
     measure(unused);
@@ -348,8 +363,7 @@ struct Run final : Engine {
 
   void advance(double end, FrameStatistics& statistics) {
     if (!std::exchange(has_settled, true)) {
-      settle(executor, particles, neighbourhood, inflow, constants, settings.solver, map,
-             walls.contact(), list_radius_factor * constants.support_radius);
+      let_apart(Occasion::start);
       measure_start();
       creep_to_rest();
     }

@@ -337,6 +337,31 @@ TEST_CASE("liquid out of a floor's nozzle under a pool is within the limits") {
     CHECK(simulation.advance_to(0.01 * k).max_compression <= 1.1 * s.solver.max_compression);
 }
 
+TEST_CASE("a nozzle that opens under a pool and closes again keeps to the limits in every frame") {
+  const auto [radius, speed, depth, end] = GENERATE(table<float, float, float, float>({
+      {0.036f, 1.42f, 0.114f, 0.106f},
+      {0.052f, 1.98f, 0.095f, 0.186f},
+      {0.03f, 1.09f, 0.113f, 0.119f},  // whose opening is filled evenly by no square lattice
+      {0.057f, 1.44f, 0.109f, 0.116f},
+  }));
+  CAPTURE(radius, speed, depth);
+  Settings s;
+  s.fluid.spacing = d;
+  s.fluid.volumes = {{Box{{0, 0, 0}, {0.6f, depth, 0.3f}}}};
+  s.domain = {{0, 0, 0}, {0.6f, 0.5f, 0.3f}};
+  s.fluid.emitters = {{.opening = Disc{{0.27f, 0, 0.15f}, {0, 1, 0}, radius},
+                       .speed = speed,
+                       .from = 0.02f,
+                       .to = end}};
+  Simulation simulation(s);
+  for (int k = 1; k <= 40; ++k) {
+    const FrameStatistics f = simulation.advance_to(0.01 * k);
+    CAPTURE(k);
+    CHECK(f.mean_compression <= 1.1 * s.solver.mean_compression);
+    CHECK(f.max_compression <= 1.1 * s.solver.max_compression);
+  }
+}
+
 TEST_CASE("nozzles side by side keep to the limits, and are gone on with to the same bytes") {
   Settings s;
   s.fluid.spacing = d;
@@ -355,7 +380,7 @@ TEST_CASE("nozzles side by side keep to the limits, and are gone on with to the 
     if (k == 5)
       kept = whole.frame();
   }
-  CHECK(worst <= 1.3 * s.solver.max_compression);
+  CHECK(worst <= 1.1 * s.solver.max_compression);
   Simulation resumed(s, kept);
   for (int k = 6; k <= 15; ++k)
     resumed.advance_to(0.02 * k);
