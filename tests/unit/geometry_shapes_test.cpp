@@ -138,6 +138,17 @@ TEST_CASE("a point inside a shape is taken to the nearest point of its surface")
   }
 }
 
+TEST_CASE("a point on the axis of a round shape is pushed straight off the axis") {
+  const glm::vec3 from(0), to(3), axis = glm::normalize(to), middle(1.5f);
+  for (const Shape& shape : {Shape{Cylinder{from, to, 0.2f}}, Shape{Capsule{from, to, 0.2f}},
+                             Shape{Cone{from, to, 0.2f, 0.2f}}}) {
+    CAPTURE(name_of(shape));
+    const glm::vec3 way = solid_of(shape).push_out(middle) - middle;
+    CHECK(glm::length(way) == Approx(0.2f).epsilon(1e-4));
+    CHECK(std::abs(glm::dot(way, axis)) < 1e-5f);
+  }
+}
+
 TEST_CASE("a way enters a shape where its inside begins, and is kept out of it") {
   for (const Shape& shape : shapes()) {
     CAPTURE(name_of(shape));
