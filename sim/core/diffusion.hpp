@@ -1,4 +1,5 @@
-// The Laplacian of a field that particles carry.
+// Kernel weights of the Laplacian of a field that particles carry. Viscosity and the coarse grid of
+// the pressure solver use them.
 #pragma once
 
 #include "sim/core/lattice.hpp"
@@ -10,7 +11,7 @@ namespace spindrift::sim {
 template <class Shape>
 struct LaplacianWeights {
   float inverse_squared_radius;  ///< 1/H², 1/m²
-  float scale;                   ///< 1/m²
+  float scale;                   ///< factor of Shape::value(), 1/m²
 
   LaplacianWeights(float spacing, float support_radius)
       : inverse_squared_radius(1 / (support_radius * support_radius)), scale(1) {
@@ -21,6 +22,7 @@ struct LaplacianWeights {
     scale = static_cast<float>(2 / squared_x);
   }
 
+  /// The weight w, 1/m², at a squared distance, m²; zero from the support radius on.
   template <class Real>
   SPINDRIFT_HD Real weight(Real squared_distance) const {
     const Real q2 = squared_distance * inverse_squared_radius;
@@ -29,8 +31,8 @@ struct LaplacianWeights {
   }
 };
 
-/// 1 − r/H: the viscosity kernel's Laplacian of Müller et al. (2003, eq. 22), whose continuous
-/// scale is 1.2 % less. Its steep start calms neighbours that jitter against each other.
+/// The shape 1 − r/H: the Laplacian of the viscosity kernel of Müller et al. (2003, eq. 22), whose
+/// continuous scale is 1.2 % less. Its steep start calms neighbours that jitter against each other.
 struct SteepShape {
   template <class Real>
   SPINDRIFT_HD static Real value(Real q2) {
@@ -38,7 +40,7 @@ struct SteepShape {
   }
 };
 
-/// (1 − r²/H²)²: what it gives changes little when rows of particles slide past each other.
+/// The shape (1 − r²/H²)², whose sums change little when rows of particles slide past each other.
 struct SmoothShape {
   template <class Real>
   SPINDRIFT_HD static Real value(Real q2) {
@@ -46,7 +48,7 @@ struct SmoothShape {
   }
 };
 
-using DiffusionKernel = LaplacianWeights<SteepShape>;     ///< of viscosity
-using ConductanceKernel = LaplacianWeights<SmoothShape>;  ///< of the coarse grid
+using DiffusionKernel = LaplacianWeights<SteepShape>;     ///< weights of viscosity
+using ConductanceKernel = LaplacianWeights<SmoothShape>;  ///< weights of the coarse grid
 
 }  // namespace spindrift::sim

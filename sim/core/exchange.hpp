@@ -1,18 +1,18 @@
-// Particles that come and go.
+// Counts of the particles that enter and leave the domain during a run.
 #pragma once
 
 #include <cstdint>
 
 namespace spindrift::sim {
 
-/// What came and went between two frames.
+/// What entered and left the domain between two frames.
 struct Exchange {
-  std::int64_t entered = 0;    ///< particles that emitters brought
-  std::int64_t held_back = 0;  ///< those that they did not: there was liquid in their place
-  std::int64_t drained = 0;    ///< particles that sinks took
-  std::int64_t left = 0;       ///< particles that went out through open faces
-  double energy_in = 0;        ///< kinetic and potential, that came with particles, J
-  double energy_out = 0;       ///< that went with them, J
+  std::int64_t entered = 0;    ///< particles that emitters brought in
+  std::int64_t held_back = 0;  ///< particles not brought in because liquid was in their place
+  std::int64_t drained = 0;    ///< particles that sinks took away
+  std::int64_t left = 0;       ///< particles that left through open faces
+  double energy_in = 0;        ///< kinetic and potential energy of the particles that came, J
+  double energy_out = 0;       ///< kinetic and potential energy of the particles that went, J
 
   Exchange& operator+=(const Exchange& o) {
     entered += o.entered;

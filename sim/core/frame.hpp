@@ -1,4 +1,4 @@
-// Particles as a run begins with them, and as it gives them out.
+// The particles that a run starts with, and the frames and statistics that it gives out.
 #pragma once
 
 #include <cstddef>
@@ -11,37 +11,44 @@
 
 namespace spindrift::sim {
 
-/// What became of the liquid that one volume asks for, in particles.
+/// How many particles of one volume of the scene are placed, and how many left out.
 struct FilledVolume {
   std::size_t placed = 0;
-  std::size_t outside = 0;                          ///< left out beyond the domain's faces
-  std::map<std::size_t, std::size_t> in_obstacles;  ///< left out in those of the scene's obstacles
+  std::size_t outside = 0;  ///< particles left out since they lie beyond the domain's faces
+  /// Particles left out since an obstacle takes their place, by the obstacle's index in the scene.
+  std::map<std::size_t, std::size_t> in_obstacles;
 };
 
-/// Positions, m, and velocities, m/s, of a scene's liquid at the start: its volumes, but for what
-/// is outside of the domain, or taken up by an obstacle, fixed or moving.
+/// The particles of a scene's liquid at the start: they fill its volumes, but for what is outside
+/// the domain or taken up by an obstacle, fixed or moving.
 struct InitialParticles {
-  std::vector<glm::vec3> positions, velocities;
-  std::vector<FilledVolume> volumes;  ///< in the order of the scene's
-  std::vector<std::uint32_t> loose;   ///< particles that bodies have moved off their lattice
+  std::vector<glm::vec3> positions, velocities;  ///< one per particle, m and m/s
+  std::vector<FilledVolume> volumes;             ///< one per volume, in the scene's order
+  std::vector<std::uint32_t> loose;  ///< indices of particles moved off their lattice near bodies
 };
 
-/// Particle data at one instant, in the solver's order: with the time steps all that is needed to
-/// go on from here to the same bytes.
+/// Particle data at one instant, with one value per particle in the solver's order. With the time
+/// step sizes they are all that a run needs to go on from here to the same bytes.
 struct Frame {
   double time = 0;                   ///< s
   std::vector<glm::vec3> positions;  ///< m
-  std::vector<glm::vec3>
-      velocities;  ///< over the step that ended here (leapfrog: at its middle), m/s
-  std::vector<float>
-      densities;  ///< kg/m³, recomputed from the positions with the full neighbourhood
-  std::vector<float> pressures;    ///< in the sense of mechanics, mean since the last frame, Pa
-  std::vector<float> multipliers;  ///< what stands for pressure in the equations of motion, Pa
-  std::vector<std::uint32_t> ids;  ///< the particle's number, never another's: in the initial
-                                   ///< lattice, then in the order of coming in
-  std::vector<float> boundary_pressures;  ///< of the walls' and obstacles' samples, Pa
+  /// Velocities over the step that ended here (leapfrog: at its middle), m/s.
+  std::vector<glm::vec3> velocities;
+  /// Densities recomputed from the positions with the full neighbourhood, kg/m³.
+  std::vector<float> densities;
+  /// Mechanical pressures (mechanical_pressure() in formulas.hpp), means since the last frame, Pa.
+  std::vector<float> pressures;
+  /// The pressures in the equations of motion of the last step, multipliers of the density
+  /// constraint, Pa.
+  std::vector<float> multipliers;
+  /// Numbers of the particles, each given once in a run: first in the initial lattice's order, then
+  /// in the order in which particles come in.
+  std::vector<std::uint32_t> ids;
+  /// Pressures of the boundary particles of walls and obstacles, Pa, not one per fluid particle.
+  std::vector<float> boundary_pressures;
 
-  /// Calls f(array) for each array of a frame that has a value per particle, in a fixed order.
+  /// Calls f(array) for each array of a frame that has one value per fluid particle, in a fixed
+  /// order.
   template <class AnyFrame, class F>
   static void for_each_of_particles(AnyFrame& frame, F f) {
     f(frame.positions);
@@ -52,27 +59,27 @@ struct Frame {
     f(frame.ids);
   }
 
-  double last_time_step = 0;     ///< of the step that ended here, s; 0 at the start
-  double allowed_time_step = 0;  ///< what that could have been had it not to end here, s
+  double last_time_step = 0;     ///< size of the step that ended here, s; 0 at the start
+  double allowed_time_step = 0;  ///< size it could have had without having to end here, s
 };
 
 /// What happened between two frames, and the error measured at the second one.
 struct FrameStatistics {
   int steps = 0;
-  int rejected_steps = 0;
+  int rejected_steps = 0;       ///< steps repeated with a smaller time step size
   std::int64_t iterations = 0;  ///< pressure iterations over all steps
   double min_time_step = 0;     ///< s
   double max_time_step = 0;     ///< s
-  double mean_compression =
-      0;  ///< mean of max(0, ρ/ρ₀ − 1) over the particles, from Frame::densities
+  /// Mean of max(0, ρ/ρ₀ − 1) over the particles, from Frame::densities.
+  double mean_compression = 0;
   double max_compression = 0;   ///< largest ρ/ρ₀ − 1
   double max_speed = 0;         ///< m/s
   double kinetic_energy = 0;    ///< J
-  double potential_energy = 0;  ///< J, against the domain's lowest corner along gravity
-  std::int64_t contacts = 0;    ///< particles stopped by a wall's surface rather than by pressure
-  double wall_work = 0;         ///< J, of obstacles that move on the liquid
-  std::int64_t particles = 0;   ///< in the domain
-  Exchange exchange;            ///< what came and went
+  double potential_energy = 0;  ///< relative to the domain's lowest corner along gravity, J
+  std::int64_t contacts = 0;    ///< times that a surface, not pressure, stopped a particle
+  double wall_work = 0;         ///< work of moving obstacles on the liquid, J
+  std::int64_t particles = 0;   ///< number of particles at the second frame
+  Exchange exchange;
 };
 
 }  // namespace spindrift::sim

@@ -1,4 +1,4 @@
-// Vectors of scenes and frames as vectors of formulas, and back.
+// Conversions between glm vectors, as scenes and frames have them, and the Vec3 of the formulas.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,7 +1,8 @@
-// Smoothing kernels, all zero from r = H on, H the support radius.
+// Smoothing kernels W(r), 1/m³, all zero from the support radius H on:
 //   cubic spline: Monaghan 2005; spiky: Müller, Charypar, Gross 2003, eq. 21.
-// Gradients are given as ∇W / r⃗ (a scalar): ∇W(r⃗) = gradient(r) r⃗, with r⃗ = xᵢ − xⱼ. They are
-// negative. Every function takes one distance (float) or eight (Lanes) and is free of branches.
+// Gradients are given as the scalar ∇W / r⃗, 1/m⁵: ∇W(r⃗) = gradient(r) r⃗, with r⃗ = xᵢ − xⱼ. They
+// are negative. Every function takes one distance (float) or eight (Lanes), m, and is free of
+// branches.
 #pragma once
 
 #include <numbers>
@@ -22,8 +23,9 @@ struct CubicKernel {
     gradient_scale = static_cast<float>(48 / (std::numbers::pi * h * h * h * h * h));
   }
 
-  // With a = 1 − q and b = 1 − 2q, where they are positive, W is 2a³ − b³ and its slope over q
-  // 6 (b² − a²)/q, up to their scales, on both pieces: without comparisons to choose by.
+  // With q = r/H and the positive parts a of 1 − q and b of 1 − 2q, both pieces of the spline are
+  // W = 2a³ − b³, and its slope divided by q is 6 (b² − a²)/q, up to their scales. No comparison
+  // has to choose the piece.
 
   template <class Real>
   SPINDRIFT_HD Real value(Real r) const {
@@ -36,7 +38,7 @@ struct CubicKernel {
   SPINDRIFT_HD Real gradient(Real r) const {
     const Real q = r * inverse_radius;
     const Real a = positive(1.f - q), b = positive(1.f - 2.f * q);
-    // Closer than this, where the force is nothing beside others, it just ends at zero.
+    // At smaller q the force is nothing beside others; the bound only makes it end at zero.
     constexpr float smallest = 1e-6f;
     return gradient_scale * ((b * b - a * a) * (1.f / at_least(q, smallest)));
   }
@@ -44,7 +46,7 @@ struct CubicKernel {
 
 struct SpikyKernel {
   float support_radius;  ///< H, m
-  float scale;           ///< 15/(πH⁶)
+  float scale;           ///< 15/(πH⁶), 1/m⁶
 
   explicit SpikyKernel(float radius) : support_radius(radius) {
     const double h = radius;

@@ -1,5 +1,5 @@
-// Eight numbers at once: one AVX register, or two SSE ones; the order of operations is the same on
-// both, so the results are too.
+// Eight numbers at once, for the formulas on the CPU: one AVX register, or two SSE ones. The order
+// of operations is the same on both, and so are the results.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ inline Lanes at_least(Lanes x, float least) {
 #endif
 }
 
-/// Of numbers that 32-bit integers can hold.
+/// The largest whole numbers not above x, which must fit 32-bit integers.
 inline Lanes rounded_down(Lanes x) {
   const Lanes whole = __builtin_convertvector(__builtin_convertvector(x, IndexLanes), Lanes);
   return whole > x ? whole - 1.f : whole;
@@ -47,7 +47,7 @@ inline Lanes consecutive(const float* a) {
   return v;
 }
 
-/// Eight elements that follow each other, from `first` on.
+/// The indices of eight elements that follow each other, from `first` on.
 struct LaneRun {
   std::uint32_t first;
 };
@@ -55,8 +55,9 @@ inline Lanes load(const float* a, LaneRun run) {
   return consecutive(a + run.first);
 }
 
-/// Elements by number, eight that follow each other in memory; each as the place of its row of four
-/// numbers, in bytes, since shifting a number for every row took a tenth of a pass's instructions.
+/// The indices of eight arbitrary elements, in eight consecutive integers. Each is kept as a place:
+/// the offset in bytes of the element's row of four floats. Shifting an index for every row took a
+/// tenth of a pass's instructions.
 struct LaneList {
   const std::uint32_t* places;
   static constexpr int row_bits = 4;
@@ -64,11 +65,11 @@ struct LaneList {
   static constexpr std::uint32_t number_at(std::uint32_t place) { return place >> row_bits; }
 };
 
-/// The elements `j` of an array.
+/// The elements of an array at eight indices.
 inline Lanes load(const float* a, IndexLanes j) {
 #ifdef __AVX2__
-  // The instruction merges into its target. With zeros as what it merges into it need not wait for
-  // what the register held; _mm256_i32gather_ps() leaves that open, and gathers wait in a row.
+  // The instruction merges into its target register. Merging into zeros, it need not wait for what
+  // the register held before; _mm256_i32gather_ps() leaves that open, and gathers wait in a row.
   const __m256 zeros = _mm256_setzero_ps();
   const __m256 all = _mm256_castsi256_ps(_mm256_set1_epi32(-1));
   return _mm256_mask_i32gather_ps(zeros, a, reinterpret_cast<__m256i>(j), all, 4);
@@ -92,8 +93,9 @@ struct LaneRows {
   Lanes x, y, z, value;
 };
 
-/// Row(k) is the address of the k-th row, on a multiple of 16 bytes. Loading rows whole and turning
-/// them around takes half the time of gathering their numbers one by one.
+/// Loads eight rows of four floats and transposes them. Loading rows whole and transposing them
+/// takes half the time of gathering their numbers one by one.
+/// @param row row(k) is the address of the k-th row, a multiple of 16 bytes
 template <class Row>
 inline LaneRows transposed(Row row) {
 #ifdef __AVX2__

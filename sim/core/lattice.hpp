@@ -1,13 +1,13 @@
-// Sums over a full cubic lattice of particles: what a kernel and a spacing give deep inside the
-// liquid.
+// Sums over a full cubic lattice of particles. They are what a kernel and a spacing give deep
+// inside the liquid, and scale the formulas so that a liquid at rest has its rest density.
 #pragma once
 
 #include "sim/core/real.hpp"
 
 namespace spindrift::sim {
 
-/// Calls f(x, y, z) for every lattice point closer to the origin than the radius, the origin
-/// included, in a fixed order; coordinates in m.
+/// Calls f(p) for every lattice point p, m, closer to the origin than the radius, m, the origin
+/// included, in a fixed order.
 template <class F>
 void for_lattice_points(float spacing, float radius, F f) {
   const int n = static_cast<int>(radius / spacing) + 1;
@@ -21,8 +21,8 @@ void for_lattice_points(float spacing, float radius, F f) {
       }
 }
 
-/// Σ W over a full lattice, 1/m³. Its inverse is the volume that gives the lattice its rest
-/// density.
+/// Σ W over a full lattice, 1/m³. Its inverse is the particle volume that gives the lattice the
+/// rest density.
 template <class Kernel>
 double lattice_kernel_sum(const Kernel& kernel, float spacing, float radius) {
   double sum = 0;
@@ -31,7 +31,8 @@ double lattice_kernel_sum(const Kernel& kernel, float spacing, float radius) {
   return sum;
 }
 
-/// Σ ∇W·∇W over a full lattice with one gradient of each kernel, 1/m⁸: density's and pressure's.
+/// Σ ∇W·∇W over a full lattice, 1/m⁸, with one gradient of the density's kernel and one of the
+/// pressure's.
 template <class DensityKernel, class PressureKernel>
 double lattice_gradient_product(const DensityKernel& density, const PressureKernel& pressure,
                                 float spacing, float radius) {

@@ -1,4 +1,4 @@
-// Faces of the domain that have no wall.
+// The open faces of the domain, which have no wall, and tests of points against them.
 #pragma once
 
 #include <limits>
@@ -8,10 +8,12 @@
 
 namespace spindrift::sim {
 
+/// The planes of a domain's open faces.
 struct OpenFaces {
   static constexpr float never = std::numeric_limits<float>::infinity();
-  bool any = false;
-  Vec3<float> min{-never, -never, -never}, max{never, never, never};  ///< where they are, m
+  bool any = false;  ///< whether any face is open
+  /// Coordinates of the open faces, m; infinite in place of faces with a wall.
+  Vec3<float> min{-never, -never, -never}, max{never, never, never};
 
   OpenFaces() = default;
   explicit OpenFaces(const DomainSettings& domain) : any(!domain.open.empty()) {
@@ -26,7 +28,7 @@ struct OpenFaces {
     }
   }
 
-  /// Whether a point is inside a domain, or in front of one of them.
+  /// Whether a point is inside the domain, or outside it only beyond open faces.
   bool is_before(const Vec3<float>& p, const DomainSettings& domain) const {
     const auto out = [](float v, float lo, float hi, float open_lo, float open_hi) {
       return (v < lo && v >= open_lo) || (v > hi && v <= open_hi);
@@ -36,7 +38,7 @@ struct OpenFaces {
              out(p.z, domain.min.z, domain.max.z, min.z, max.z));
   }
 
-  /// Whether a point is out of the domain through one of them, at least.
+  /// Whether a point is beyond the plane of an open face.
   SPINDRIFT_HD bool is_beyond(const Vec3<float>& p) const {
     return p.x < min.x || p.y < min.y || p.z < min.z || p.x > max.x || p.y > max.y || p.z > max.z;
   }

@@ -1,4 +1,4 @@
-// Where the time goes.
+// The profile of a run: wall time by phase.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace spindrift::sim {
 
-/// Adds up the wall time of a phase under its name.
+/// Adds up the wall time and the calls of each phase under its name.
 class PhaseClock {
  public:
   struct Entry {
@@ -17,8 +17,10 @@ class PhaseClock {
     double seconds = 0;
     std::int64_t calls = 0;
   };
+  /// Adds the time between its construction and its destruction to a phase.
   class Scope {
    public:
+    /// @param name the phase, a string that outlives the clock
     Scope(PhaseClock& clock, std::string_view name)
         : clock_(clock), name_(name), start_(std::chrono::steady_clock::now()) {}
     ~Scope() {
@@ -42,6 +44,7 @@ class PhaseClock {
     entry->seconds += seconds;
     ++entry->calls;
   }
+  /// The phases in the order in which they were first added.
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:

@@ -1,5 +1,5 @@
 // Arithmetic types of the per-particle formulas. A formula is a template over its number type:
-// `float` for one neighbour at a time, `Lanes` for eight at once on the processor.
+// `float` for one neighbour at a time, `Lanes` for eight at once on the CPU.
 #pragma once
 
 #include <cmath>
@@ -24,12 +24,13 @@ SPINDRIFT_HD inline float at_least(float x, float least) {
   return x > least ? x : least;
 }
 
+/// The positive part of x: x, or zero where it is negative.
 template <class Real>
 SPINDRIFT_HD Real positive(Real x) {
   return at_least(x, 0.f);
 }
 
-/// The elements `j` of an array.
+/// Element j of an array.
 SPINDRIFT_HD inline float load(const float* a, std::uint32_t j) {
   return a[j];
 }
@@ -61,14 +62,14 @@ SPINDRIFT_HD inline A dot(const Vec3<A>& a, const Vec3<A>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Of components that are eight lanes each, their sums.
+/// The sums of each component over its eight lanes.
 template <class Real>
 Vec3<float> reduce(const Vec3<Real>& a) {
   return {reduce(a.x), reduce(a.y), reduce(a.z)};
 }
 
-/// A point in space, m, and a number that is wanted wherever the point is. Both stand beside each
-/// other, so that one access to memory brings what is to be known of a neighbour.
+/// A point in space, m, and a number that is wanted wherever the point is. They stand beside each
+/// other so that one memory access brings all that is to be known of a neighbour.
 struct alignas(16) PointRow {
   float x, y, z, value;
 };
@@ -76,7 +77,7 @@ struct alignas(16) PointRow {
 static_assert(sizeof(PointRow) == LaneList::place_of(1));
 #endif
 
-/// The row `j` of an array.
+/// Row j of an array.
 SPINDRIFT_HD inline PointRow load(const PointRow* rows, std::uint32_t j) {
   return rows[j];
 }
@@ -91,14 +92,15 @@ inline LaneRows load(const PointRow* rows, LaneRun run) {
 }
 #endif
 
-/// The same as a vector and its number, of one neighbour or of eight.
+/// The position, m, and the number of one neighbour (`float`) or of eight (`Lanes`).
 template <class Real>
 struct Point {
   Vec3<Real> position;
   Real value;
 };
 
-/// An array of points.
+/// An array of points with a number each. An index is one number, or a LaneList or LaneRun of eight
+/// on the CPU.
 struct PointView {
   PointRow* rows = nullptr;
 
@@ -111,6 +113,7 @@ struct PointView {
   SPINDRIFT_HD auto operator[](Index j) const {
     return point(j).position;
   }
+  /// Sets the position of point i, and leaves its number.
   SPINDRIFT_HD void set(std::uint32_t i, const Vec3<float>& p) const {
     rows[i] = {p.x, p.y, p.z, rows[i].value};
   }

@@ -1,4 +1,4 @@
-// What loops over particles reduce to.
+// Results that loops over particles reduce to (Executor::reduce): join() takes in another part.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 
 namespace spindrift::sim {
 
-/// A sum to reduce to, in double precision.
+/// A sum in double precision.
 struct Sum {
   double value = 0;
   SPINDRIFT_HD void join(const Sum& other) { value += other.value; }
 };
 
-/// The largest of values that are not negative.
+/// The largest of values that are not negative; 0 if there are none.
 struct Largest {
   float value = 0;
   SPINDRIFT_HD void join(const Largest& other) { value = std::max(value, other.value); }

@@ -1,4 +1,4 @@
-// Giving up what takes long.
+// Cancelling work that takes long, from another thread.
 #pragma once
 
 #include <atomic>
@@ -6,10 +6,10 @@
 
 namespace spindrift::sim {
 
-/// Becomes true when what goes on is no longer wanted; null: never.
+/// A flag that becomes true when the work is no longer wanted; null: it is always wanted.
 using Stop = const std::atomic<bool>*;
 
-/// What ends work that is no longer wanted.
+/// The exception that ends work that is no longer wanted.
 class Stopped : public std::runtime_error {
  public:
   Stopped() : std::runtime_error("stopped") {}
@@ -19,7 +19,7 @@ inline bool is_stopped(Stop stop) {
   return stop != nullptr && stop->load(std::memory_order_relaxed);
 }
 
-/// @throws Stopped
+/// @throws Stopped when the flag is set
 inline void throw_if_stopped(Stop stop) {
   if (is_stopped(stop))
     throw Stopped();
