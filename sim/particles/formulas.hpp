@@ -1,16 +1,18 @@
-// The equations of motion, one per-particle formula per function, written once for every executor.
+// The equations of motion, one per-particle formula per function, written once for all backends.
 //
-// Density as a ratio to the rest density, with boundary samples b of volume V_b (Akinci et al.
+// Density is a ratio to the rest density, with boundary particles b of volume V_b (Akinci et al.
 // 2012):
 //   ρᵢ/ρ₀ = V Σⱼ W(xᵢ − xⱼ) + Σ_b V_b W(xᵢ − x_b),   V = m/ρ₀.
-// A boundary sample has a density and a pressure of its own (Band et al. 2018, "Pressure boundaries
-// for implicit incompressible SPH"); `solid` is what the solid behind it would contribute:
+// A boundary particle has a density and a pressure of its own (Band et al. 2018, "Pressure
+// boundaries for implicit incompressible SPH"); solid_b is what the solid behind it would
+// contribute:
 //   ρ_b/ρ₀ = solid_b + V Σⱼ W(x_b − xⱼ).
-// Pressure acceleration, the gradient of the sum of V p ρ/ρ₀ over particles and samples, so that
-// momentum is kept between particles and no energy is made at walls, whatever the pressures are:
+// Pressure acceleration is the gradient of the sum of V p ρ/ρ₀ over fluid and boundary particles,
+// so that momentum is kept between particles and no energy is made at walls, whatever the pressures
+// are:
 //   aᵢ = −1/ρ₀ [ V Σⱼ (pᵢ + pⱼ) ∇W + Σ_b V_b (pᵢ + p_b) ∇W ].
-// Solenthaler & Pajarola 2009 have pᵢ/ρᵢ² + pⱼ/ρⱼ²; with ρ₀ in place of ρᵢ, as they do when they
-// derive δ (their eq. 6), p is a plain multiplier of the constraint ρᵢ ≤ ρ₀, and no density pass is
+// Solenthaler & Pajarola 2009 have pᵢ/ρᵢ² + pⱼ/ρⱼ². With ρ₀ in place of ρᵢ, as in their derivation
+// of δ (their eq. 6), p is a plain multiplier of the constraint ρᵢ ≤ ρ₀, and no density pass is
 // needed first.
 #pragma once
 
@@ -23,24 +25,25 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Boundary samples and the lists of those near each fluid particle.
+/// The boundary particles of walls and obstacles, as loops see them, with the neighbour lists
+/// between them and the fluid particles. Arrays have one value per boundary particle.
 struct BoundaryView {
-  PointView position;                     ///< m, with the sample's volume V_b, m³
+  PointView position;                     ///< position, m, with the volume V_b, m³
   const float* solid = nullptr;           ///< part of the density ratio that the solid makes up for
   const float* wall_viscosity = nullptr;  ///< μ_b, Pa·s; null: all have the fluid's μ_w
-  Vec3Arrays velocity;                    ///< m/s; null: all are at rest
-  float* pressure = nullptr;              ///< of the last step, Pa
-  float* step_pressure = nullptr;         ///< the iterate of this step, Pa
+  Vec3Arrays velocity;                    ///< velocity, m/s; null: all are at rest
+  float* pressure = nullptr;              ///< pressure of the last step, Pa
+  float* step_pressure = nullptr;         ///< the iterate of this step's pressure, Pa
   float* compression = nullptr;           ///< ρ_b/ρ₀ − 1 left over by the last step
   float* mean_pressure = nullptr;      ///< sum of pressure times time since the last frame, Pa·s
-  NeighbourView neighbours;            ///< of each fluid particle: samples
-  NeighbourView fluid;                 ///< of each sample: fluid particles
-  const std::uint32_t* wet = nullptr;  ///< the samples that have fluid neighbours
-  std::uint32_t wet_count = 0;
-  std::uint32_t count = 0;  ///< all samples
+  NeighbourView neighbours;            ///< the boundary particles near each fluid particle
+  NeighbourView fluid;                 ///< the fluid particles near each boundary particle
+  const std::uint32_t* wet = nullptr;  ///< indices of the boundary particles with fluid neighbours
+  std::uint32_t wet_count = 0;         ///< length of `wet`
+  std::uint32_t count = 0;             ///< number of all boundary particles
 };
 
-/// ρᵢ/ρ₀ at `position`.
+/// The density ratio ρᵢ/ρ₀ of fluid particle i, with the fluid particles at `position`.
 SPINDRIFT_HD inline float density_ratio(std::uint32_t i, const FluidConstants& c,
                                         const CubicKernel& kernel, const PointView& position,
                                         const NeighbourView& neighbours,
@@ -58,7 +61,8 @@ SPINDRIFT_HD inline float density_ratio(std::uint32_t i, const FluidConstants& c
   return c.volume * fluid + solid;
 }
 
-/// The part of ρᵢ/ρ₀ that is in a nozzle, held[j] = 1, or solid.
+/// The part of ρᵢ/ρ₀ that comes from boundary particles, and from particles in a nozzle, for which
+/// held[j] is 1.
 SPINDRIFT_HD inline float carried_density_ratio(std::uint32_t i, const FluidConstants& c,
                                                 const CubicKernel& kernel,
                                                 const PointView& position, const float* held,
@@ -77,7 +81,7 @@ SPINDRIFT_HD inline float carried_density_ratio(std::uint32_t i, const FluidCons
   return c.volume * fluid + solid;
 }
 
-/// ρ_b/ρ₀ of boundary sample b, with the fluid particles at `position`.
+/// The density ratio ρ_b/ρ₀ of boundary particle b, with the fluid particles at `position`.
 SPINDRIFT_HD inline float boundary_density_ratio(std::uint32_t b, const FluidConstants& c,
                                                  const CubicKernel& kernel,
                                                  const PointView& position,
@@ -90,7 +94,8 @@ SPINDRIFT_HD inline float boundary_density_ratio(std::uint32_t b, const FluidCon
   return boundary.solid[b] + c.volume * fluid;
 }
 
-/// Acceleration by pressure, m/s², of particles at positions that carry their pressures.
+/// Acceleration of fluid particle i by pressure, m/s².
+/// @param at the fluid particles' positions, m, with their pressures, Pa
 template <class Kernel>
 SPINDRIFT_HD Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConstants& c,
                                                const Kernel& kernel, const PointView& at,
@@ -111,14 +116,17 @@ SPINDRIFT_HD Vec3<float> pressure_acceleration(std::uint32_t i, const FluidConst
   return (-1.f / c.rest_density) * (c.volume * fluid + solid);
 }
 
-/// Pressure in the sense of mechanics, Pa: a third of the trace of the virial stress (Irving &
-/// Kirkwood 1950) of the forces that give the acceleration above, half of each pair's to particle
-/// i:
+/// Pressure of fluid particle i in the sense of mechanics, Pa: a third of the trace of the virial
+/// stress (Irving & Kirkwood 1950) of the forces behind pressure_acceleration(), with half of each
+/// pair's stress given to particle i:
 ///   Pᵢ = −1/6 [ V Σⱼ (pᵢ + pⱼ) r⃗·∇W + Σ_b V_b (pᵢ + p_b) r⃗·∇W ],   r⃗ = xᵢ − xⱼ.
-/// For one p everywhere it is p times −V/3 Σⱼ r⃗·∇W, which is 1 for a kernel that is wide against
-/// the spacing. At H = 2d it depends on how the particles lie: with the cubic kernel it is 1.02 on
-/// a cubic lattice and 0.97 on a face-centred one, with the spiky one 0.94 of that. Of mean
-/// pressures, the samples' in BoundaryView::mean_pressure, it gives the mean.
+/// For one p everywhere it is p times −V/3 Σⱼ r⃗·∇W, a factor that is 1 for a kernel wide against
+/// the spacing d. At H = 2d the factor depends on how the particles lie: with the cubic kernel it
+/// is 1.02 on a cubic lattice and 0.97 on a face-centred one, with the spiky kernel 0.94 of that.
+/// It is linear in the pressures, so that it may be given their sums over time, Pa·s, and gives
+/// such a sum.
+/// @param at the fluid particles' positions, m, with their pressures; those of the boundary
+///           particles are taken from BoundaryView::mean_pressure
 template <class Kernel>
 SPINDRIFT_HD float mechanical_pressure(std::uint32_t i, const FluidConstants& c,
                                        const Kernel& kernel, const PointView& at,
@@ -141,13 +149,13 @@ SPINDRIFT_HD float mechanical_pressure(std::uint32_t i, const FluidConstants& c,
   return -1.f / 6.f * (c.volume * fluid + solid);
 }
 
-/// Acceleration by viscosity, m/s², μ/ρ₀ ∇²v, with weights w of the Laplacian:
+/// Acceleration of fluid particle i by viscosity, μ/ρ₀ ∇²v, m/s², with weights w of the Laplacian:
 ///   aᵢ = 1/ρ₀ [ μ Σⱼ w (vⱼ − vᵢ) + 2 Σ_b μ_b (V_b/V) w (v_b − vᵢ) ].
-/// A sample lies as far behind the wall as the liquid's first particles are in
-/// front of it, and has minus their velocity for the wall's surface to be at rest; where the wall
-/// moves, relative to it. The form that acts only along the line between two particles (Monaghan
-/// 2005) keeps angular momentum as well, but on a lattice, which laminar flow stays close to, shear
-/// along the axes would meet 0.7 of the viscosity.
+/// The factor 2 makes the wall's surface, not the boundary particle, have the velocity v_b: a
+/// boundary particle lies as far behind the surface as the liquid's first particles are in front of
+/// it, and mirrors their velocity relative to the wall. The form that acts only along the line
+/// between two particles (Monaghan 2005) keeps angular momentum as well, but on a lattice, which
+/// laminar flow stays close to, shear along the axes would meet 0.7 of the viscosity.
 SPINDRIFT_HD inline Vec3<float> viscous_acceleration(std::uint32_t i, const FluidConstants& c,
                                                      const DiffusionKernel& kernel,
                                                      const PointView& position,

@@ -5,10 +5,11 @@ namespace {
 
 constexpr std::string_view phase = "exchange particles";
 
-/// New particles have nothing but a place, a velocity and a number.
+/// Sets a field to zero for new particles, which start with nothing but a position, a velocity and
+/// an id.
 struct Clearing {
   Executor& executor;
-  std::uint32_t begin, count;  ///< of the new ones
+  std::uint32_t begin, count;  ///< the range of the new particles
 
   template <class T>
   void operator()(NumberField<T>& field) const {
@@ -19,7 +20,7 @@ struct Clearing {
   void operator()(PointField&) const {}
 };
 
-/// Leaves of the particles' fields the values of those that are kept.
+/// Reduces a field to the values of the particles that are kept.
 struct Gathering {
   Executor& executor;
   Particles& particles;

@@ -1,4 +1,4 @@
-// Adds particles to those there are, and takes some away.
+// Adds particles to the liquid and takes some away; emitters, sinks and open faces use it.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,15 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class ParticleExchange {
  public:
-  /// Adds particles of the given velocity, m/s, without pressure, after all others.
+  /// Adds particles after all others, with zero in every other field that lasts from step to step,
+  /// such as pressure.
+  /// @param positions of the new particles, m
+  /// @param velocity  of all new particles, m/s
+  /// @param ids       one per new particle
   void append(Executor& executor, Particles& particles, const std::vector<glm::vec3>& positions,
               const glm::vec3& velocity, const std::vector<std::uint32_t>& ids);
 
-  /// Keeps the particles whose numbers these are, in their order, and takes the others away.
+  /// Keeps the particles with the indices `kept`, in that order, and takes all others away.
   void keep(Executor& executor, Particles& particles, const Array<std::uint32_t>& kept);
 
  private:

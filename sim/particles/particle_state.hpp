@@ -1,4 +1,5 @@
-// The particles' state to and from what a run starts with and what it gives.
+// Moves the particles' state from initial particles and frames into a backend's fields, and from
+// the fields into frames.
 #pragma once
 
 #include "sim/backend/backend.hpp"
@@ -7,25 +8,26 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Takes over the particles of a start, numbered from 0.
+/// Replaces all particles by the initial ones of a run, with ids from 0 on.
 void set_particles(Executor& executor, Particles& particles, const InitialParticles& initial);
 
-/// Takes over those of a frame.
+/// Replaces all particles by those of a frame.
 void set_particles(Executor& executor, Particles& particles, const Frame& frame);
 
-/// The particles' part of a frame, on its way.
+/// The per-particle arrays of a frame, which may still be on their way from the device.
 struct ParticleCopies {
   Copy<glm::vec3> positions, velocities;
   Copy<float> densities, pressures, multipliers;
   Copy<std::uint32_t> ids;
 
+  /// Moves the arrays into a frame, once; waits until they have arrived.
   void put_into(Frame& frame);
 };
 
-/// Copies the particles as they are now. @param rest_density kg/m³
+/// Begins to copy the particles as they are now. @param rest_density kg/m³
 ParticleCopies copy_particles(Executor& executor, Particles& particles, float rest_density);
 
-/// m/s.
+/// The largest speed of any particle, m/s.
 float largest_speed(Executor& executor, Particles& particles);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -1,4 +1,5 @@
-// The liquid's particles as a structure of arrays.
+// The liquid's particles as a structure of arrays, and the types of those arrays. Every array has
+// room beyond its end for the sentinel, a point far from all others that pads neighbour lists.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,9 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Makes an array one of n elements and those that follow: the sentinel, and one whole batch beyond
-/// the end. A vector by itself would take twice the memory as soon as it grows a little.
+/// Resizes an array to n elements and those that follow: the sentinel, and one whole batch beyond
+/// the end. An array that grows reserves a sixteenth more than it needs, where a vector by itself
+/// would take twice the memory.
 template <class T>
 void resize_with_room(Array<T>& values, std::uint32_t n) {
   const std::size_t size = n + std::size_t{2 * lane_count};
@@ -29,7 +31,7 @@ class NumberField {
   void resize(std::uint32_t n) { resize_with_room(values_, n); }
   T* data() { return values_.data(); }
   const T* data() const { return values_.data(); }
-  /// The data of n elements; those that were there keep their values.
+  /// Resizes to n elements, which keep the values they had, and returns the data.
   T* resized(std::uint32_t n) {
     resize(n);
     return data();
@@ -39,7 +41,7 @@ class NumberField {
   T operator[](std::uint32_t i) const { return values_[i]; }
   void fill(T value) { set_all(values_, value); }
   void swap(NumberField& other) { values_.swap(other.values_); }
-  /// As the backend has it, for what is done to arrays as a whole.
+  /// The backend's array, for operations on arrays as a whole.
   Array<T>& array() { return values_; }
   std::size_t memory_bytes() const { return values_.capacity() * sizeof(T); }
 
@@ -50,7 +52,8 @@ class NumberField {
 using ScalarField = NumberField<float>;
 using IdField = NumberField<std::uint32_t>;
 
-/// One vector per particle, as three arrays.
+/// One vector per particle, as three arrays. at() is for the host, once the device has been waited
+/// for.
 class VectorField {
  public:
   void resize(std::uint32_t n) {
@@ -75,7 +78,7 @@ class VectorField {
   ScalarField components_[3];
 };
 
-/// Points with a number each, side by side.
+/// One point and one number per particle, side by side in memory (PointRow).
 class PointField {
  public:
   void resize(std::uint32_t n) { resize_with_room(rows_, n); }
@@ -91,27 +94,27 @@ class PointField {
   Array<PointRow> rows_;
 };
 
-/// How long a particle's value means something.
+/// How long the value that a field has for a particle stays valid.
 enum class Lifetime {
-  state,    ///< from step to step: it comes and goes with its particle, and whichever way particles
-            ///< are sorted it stays theirs
+  state,    ///< from step to step: it comes and goes with its particle, and is sorted with it
   step,     ///< from the drift to the end of the step, through the sort between them
-  scratch,  ///< from where it is made until particles are sorted or measured again
+  scratch,  ///< from where it is computed until particles are sorted or measured again
 };
 
-/// One of the particles' fields.
+/// A description of one of the fields of Particles.
 template <class Field>
 struct FieldOfParticles {
   std::string_view name, unit, meaning;
   Lifetime lifetime;
-  Field member;           ///< in Particles
-  bool optional = false;  ///< empty where no part of the scene needs it
+  Field member;           ///< pointer to the member of Particles
+  bool optional = false;  ///< whether the field is empty where no part of the scene needs it
 };
 template <class Field>
 FieldOfParticles(std::string_view, std::string_view, std::string_view, Lifetime, Field,
                  bool = false) -> FieldOfParticles<Field>;
 
-/// All particles of the liquid. Whatever is done to all fields is driven by the list of them.
+/// All particles of the liquid. The list `fields` says what each field means, and drives whatever
+/// is done to all of them.
 struct Particles {
   std::uint32_t count = 0;
 
@@ -162,20 +165,20 @@ struct Particles {
       FieldOfParticles{"excess", "1", "compression that this step may leave as it is",
                        Lifetime::scratch, &Particles::excess, true}};
 
-  // The same memory under the names of what else stands in it, at other times of a step.
-  /// By one force, m/s, before pressure has been looked for.
+  // Other names for memory of the fields above, for what stands in it at other times of a step.
+
+  /// Velocity changes by one force, m/s, before the pressure solve.
   VectorField& velocity_change() { return acceleration; }
-  /// Of the viscous velocity changes that are looked for, m/s, before pressure has been.
+  /// Search directions of the viscous velocity changes, m/s, before the pressure solve.
   PointField& search_direction() { return corrected_position; }
-  /// ρ/ρ₀ where positions have been eased to, after the step.
+  /// ρ/ρ₀ at the eased positions (PressureSolver::finish), after the step.
   ScalarField& eased_density_ratio() { return excess; }
-  /// What brings a number per particle into another order.
+  /// Scratch memory for bringing a scalar field into another order.
   ScalarField& spare() { return density_ratio; }
-  /// The same for points.
+  /// Scratch memory for bringing a point field into another order.
   PointField& spare_points() { return corrected_position; }
 
-  /// Calls f(field of the list, this object's) for those that are there: all but optional ones that
-  /// are empty.
+  /// Calls f(description, field) for each of `fields` but optional ones that are empty.
   template <class F>
   void for_each_field(F f) {
     std::apply(
@@ -189,6 +192,7 @@ struct Particles {
         fields);
   }
 
+  /// Resizes all fields but optional ones that are empty.
   void resize(std::uint32_t n) {
     count = n;
     for_each_field([n](const auto&, auto& field) { field.resize(n); });
