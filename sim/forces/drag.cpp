@@ -32,7 +32,7 @@ float DropDrag::area(float speed, float neighbours) const {
 
 namespace {
 
-/// Surface tension of water against air, N/m: of drops in scenes that have none.
+/// Surface tension of water against air, N/m, for the drops of scenes that have no surface tension.
 constexpr float tension_of_water = 0.0724f;
 
 class Drag : public Force {
@@ -49,8 +49,8 @@ class Drag : public Force {
              .mass = c.rest_density * c.volume};
   }
 
-  /// Implicit: the relative velocity falls by 1/(1 + its rate times Δt), which is stable at every
-  /// step.
+  /// Implicit: the relative velocity is divided by 1 + its rate of decay times the kick, which is
+  /// stable at every time step size.
   bool apply(const StepContext& s) override {
     const PointView x = s.particles.drifted_position.view(),
                     v = s.particles.drifted_velocity.view();
@@ -89,7 +89,7 @@ class Drag : public Force {
 
  private:
   DropDrag drop_{};
-  Vec3<float> velocity_;  ///< m/s
+  Vec3<float> velocity_;  ///< velocity of the air, m/s
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Forces that act before pressure, as the step sees them.
+// The interface of the forces that a time step applies before pressure: surface tension, drag and
+// viscosity.
 #pragma once
 
 #include <limits>
@@ -13,18 +14,19 @@ class Force {
  public:
   virtual ~Force() = default;
 
-  /// Changes the drifted velocities and positions (change_velocities() does so). Returns true if it
-  /// moved a particle so far that its neighbours are no longer those that are listed.
+  /// Changes the drifted velocities and positions, by way of change_velocities().
+  /// @return whether it moved any particle so far that neighbours must be listed anew
   virtual bool apply(const StepContext& step) = 0;
 
-  /// The longest step in which it is stable, s.
+  /// The largest time step size at which the force is stable, s.
   virtual float time_step_limit() const { return std::numeric_limits<float>::infinity(); }
 
-  /// Of the fields that the force keeps, bytes.
+  /// Memory of the fields that the force keeps, bytes.
   virtual std::size_t memory_bytes() const = 0;
 };
 
-/// The forces that a scene has, in the order in which they are applied; it pays for no other.
+/// The forces that a scene has, in the order in which they are applied. A scene does not pay for
+/// those that it lacks.
 std::vector<std::unique_ptr<Force>> forces_of(const Settings& settings,
                                               const FluidConstants& constants);
 

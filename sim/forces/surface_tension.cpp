@@ -9,9 +9,10 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
+/// The factors of the forces; the arrays are still to be set.
 TensionView view_of(const FluidConstants& c) {
   const TensionKernel kernel(c.spacing, c.support_radius);
-  const double slope = -6. * kernel.scale * kernel.inverse_squared_radius;  // of w, over r
+  const double slope = -6. * kernel.scale * kernel.inverse_squared_radius;  // w'(r)/r at r = 0
   const double mass = double{c.rest_density} * c.volume;
   const double surface = double{c.surface_tension} * c.spacing * c.spacing;  // J
   const double factor = 2 * SurfaceTension::lack_weight * slope * surface / mass;

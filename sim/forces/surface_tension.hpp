@@ -1,6 +1,6 @@
 // Surface tension as the gradient of an energy, so that momentum and angular momentum are kept and
-// no energy is made. With c the liquid's part of space around a particle, smoothed over the support
-// radius, 1 deep in the liquid,
+// no energy is made. With c the share of the space around a particle that is liquid, smoothed over
+// the support radius (1 deep in the liquid), and d the spacing, the energy is
 //   E = σ d² Σᵢ [ α max(0, 1 − cᵢ)² + β d² |∇cᵢ|² ],   cᵢ = Σⱼ w(|xᵢ − xⱼ|).
 // A surface thus costs what the liquid lacks near it and what c changes across it, as in van der
 // Waals's theory of capillarity (1893; Cahn & Hilliard 1958). Neither term would do alone: the
@@ -11,9 +11,9 @@
 // Akinci, Akinci & Teschner (2013) have cohesion and differences of normals, as forces; their
 // coefficient is no σ.
 //
-// Walls count as a part φ of the liquid, with V_b/V of each sample: where φ is 1 the liquid has no
-// surface there, and meets the wall at a right angle; E being quadratic, a part leaves (1 − φ)² of
-// the tension, and Young's equation gives −cos θ = (1 − φ)².
+// Walls count as liquid to the share φ: each boundary particle adds φ V_b/V to the sums. Where φ is
+// 1 the liquid has no surface at the wall, and meets it at a right angle. Since E is quadratic, a
+// smaller φ leaves (1 − φ)² of the tension, and Young's equation gives −cos θ = (1 − φ)².
 #pragma once
 
 #include <cmath>
@@ -23,11 +23,11 @@
 
 namespace spindrift::sim {
 
-/// w(r) = scale (1 − r²/H²)³, whose sum over a full lattice is 1: a smooth kernel, since E has its
-/// second derivatives.
+/// The kernel w(r) = scale (1 − r²/H²)³, whose sum over a full lattice is 1. It is smooth, since
+/// the forces have its second derivatives.
 struct TensionKernel {
   float inverse_squared_radius;  ///< 1/H², 1/m²
-  float scale = 1;
+  float scale = 1;               ///< w(0)
 
   TensionKernel(float spacing, float support_radius)
       : inverse_squared_radius(1 / (support_radius * support_radius)) {
@@ -37,7 +37,7 @@ struct TensionKernel {
     scale = static_cast<float>(1 / sum);
   }
 
-  /// 1 − r²/H², zero from H on.
+  /// 1 − r²/H², and zero from the support radius H on.
   template <class Real>
   SPINDRIFT_HD Real reach(Real squared_distance) const {
     const Real t = 1.f - squared_distance * inverse_squared_radius;
@@ -46,21 +46,21 @@ struct TensionKernel {
   }
 };
 
-/// What the forces are made of.
+/// The factors and fields that the forces are computed from, as loops see them.
 struct TensionView {
   TensionKernel kernel;
-  float factor;           ///< of the forces between particles, 1/s²
-  float gradient_factor;  ///< of c's gradients in them, m
+  float factor;           ///< factor of the accelerations between particles, 1/s²
+  float gradient_factor;  ///< factor of the gradients of c in them, d β/α, m
   float wetting;          ///< φ/V, 1/m³
-  float* lack = nullptr;  ///< q
-  Vec3Arrays gradient;    ///< d ∇c
+  float* lack = nullptr;  ///< q = max(0, 1 − c) of each particle
+  Vec3Arrays gradient;    ///< d ∇c of each particle
 };
 
-/// c of one particle and d ∇c, or a part of their sums.
+/// The colour field c of one particle and d ∇c, or a part of their sums.
 template <class Real>
 struct Colour {
-  Real value{};
-  Vec3<Real> gradient{};
+  Real value{};           ///< c
+  Vec3<Real> gradient{};  ///< d ∇c
 
   SPINDRIFT_HD Colour& operator+=(const Colour& o) {
     value += o.value;
@@ -75,6 +75,7 @@ Colour<float> reduce(const Colour<Real>& c) {
 
 inline namespace SPINDRIFT_BACKEND {
 
+/// The colour field of particle i and its gradient, with the walls' share of liquid.
 SPINDRIFT_HD inline Colour<float> colour(std::uint32_t i, const FluidConstants& c,
                                          const TensionView& tension, const PointView& position,
                                          const NeighbourView& neighbours,
@@ -97,7 +98,8 @@ SPINDRIFT_HD inline Colour<float> colour(std::uint32_t i, const FluidConstants& 
   return {kernel.scale * sum.value, slope * sum.gradient};
 }
 
-/// Acceleration by surface tension, m/s².
+/// Acceleration of particle i by surface tension, m/s². TensionView::lack and ::gradient must be up
+/// to date.
 SPINDRIFT_HD inline Vec3<float> tension_acceleration(std::uint32_t i, const TensionView& tension,
                                                      const PointView& position,
                                                      const NeighbourView& neighbours,
@@ -125,15 +127,15 @@ SPINDRIFT_HD inline Vec3<float> tension_acceleration(std::uint32_t i, const Tens
 
 class SurfaceTension : public Force {
  public:
-  /// α and β, which make σ the tension that is measured, in a drop's pressure and its oscillation:
-  /// plain numbers, the same at every spacing.
+  /// α and β, chosen so that σ is the tension measured in a drop's pressure and oscillation: plain
+  /// numbers, the same at every spacing.
   static constexpr float lack_weight = 2.55f, gradient_weight = 1.7f;
 
   explicit SurfaceTension(const FluidConstants& constants);
 
   bool apply(const StepContext& s) override;
 
-  /// A part of the time in which the shortest capillary waves turn around.
+  /// A fraction of the period scale √(ρ₀ d³/σ) of the shortest capillary waves, s.
   float time_step_limit() const override { return time_step_limit_; }
 
   std::size_t memory_bytes() const override {
@@ -143,11 +145,11 @@ class SurfaceTension : public Force {
  private:
   float time_step_limit_;  ///< s
   TensionView view_;
-  ScalarField lack_;      ///< q
-  VectorField gradient_;  ///< d ∇c
+  ScalarField lack_;      ///< TensionView::lack
+  VectorField gradient_;  ///< TensionView::gradient
 };
 
-/// None where the liquid has none.
+/// The surface tension of a scene's liquid; null where it has none.
 std::unique_ptr<Force> make_surface_tension(const Settings& settings,
                                             const FluidConstants& constants);
 

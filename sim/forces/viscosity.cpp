@@ -9,8 +9,9 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// Velocities relax towards their neighbours' at the rate (μ/ρ₀) Σ w; the fastest mode decays at up
-/// to twice that rate, and a step must stay below 2 / (2 rate). Half of it is taken.
+/// The largest time step size of the explicit step, s. Velocities relax towards their neighbours'
+/// at the rate (μ/ρ₀) Σ w; the fastest mode decays at up to twice that rate, and a step must stay
+/// below 2 / (2 rate). Half of that is taken.
 double stable_step(const FluidConstants& c, float wall_viscosity, const DiffusionKernel& kernel) {
   double sum = 0;
   for_lattice_points(c.spacing, c.support_radius, [&](const Vec3<float>& p) {
@@ -21,7 +22,8 @@ double stable_step(const FluidConstants& c, float wall_viscosity, const Diffusio
   return rate > 0 ? 0.5 / rate : INFINITY;
 }
 
-/// Acceleration by viscosity, m/s². What a nozzle moves is not slowed by its neighbours.
+/// Acceleration of particle i by viscosity, m/s²; zero for a particle in a nozzle, which its
+/// neighbours do not slow.
 SPINDRIFT_HD Vec3<float> free_acceleration(std::uint32_t i, const StepView& step,
                                            const DiffusionKernel& kernel,
                                            const PointView& velocity) {
@@ -30,7 +32,7 @@ SPINDRIFT_HD Vec3<float> free_acceleration(std::uint32_t i, const StepView& step
                                                 step.neighbours, step.boundary);
 }
 
-/// With which any wall or obstacle holds the liquid back at most, Pa·s.
+/// The largest wall viscosity of any wall or obstacle, Pa·s.
 float largest_wall_viscosity(const Settings& settings) {
   float largest = settings.fluid.wall_viscosity;
   for (const Obstacle& obstacle : settings.obstacles)
@@ -60,7 +62,7 @@ bool Viscosity::apply(const StepContext& s) {
   return change_velocities(s, "apply viscosity");
 }
 
-/// Leaves the changes of velocity.
+/// Computes the velocity changes of an explicit Euler step.
 void Viscosity::explicit_step(const StepContext& s) {
   Particles& p = s.particles;
   const PointView v = p.drifted_velocity.view();
@@ -77,8 +79,8 @@ void Viscosity::explicit_step(const StepContext& s) {
 }
 
 /// Backward Euler: (1 − Δt ν∇²) v = v*, solved by conjugate gradients for the change v − v*, whose
-/// right side is Δt ν∇² v* (as Weiler et al. 2018 do). Loops that are begun after the end do
-/// nothing.
+/// right side is Δt ν∇² v* (as Weiler et al. 2018 do). The host looks at the iteration only now and
+/// then; loops that are begun after its end do nothing.
 void Viscosity::implicit_step(const StepContext& s) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-6;
@@ -91,7 +93,7 @@ void Viscosity::implicit_step(const StepContext& s) {
   const PointView direction = p.search_direction().view();
   explicit_step(s);
   StepView step = s.view();
-  step.boundary.velocity = {};  // a change of velocity does not meet the walls' own
+  step.boundary.velocity = {};  // the operator acts on velocity changes: walls have none
   const DiffusionKernel kernel = kernel_;
   const float dt = s.time_step;
   const auto begin = [=] SPINDRIFT_HD(std::uint32_t i) {

@@ -1,5 +1,5 @@
-// Viscosity, explicit where a step is short enough for that, implicit where it is not. Both use the
-// same operator, so that what a scene looks like does not depend on which it is.
+// Viscosity, explicit where the time step size is small enough for that, implicit where it is not.
+// Both use the same operator, so that a scene looks the same with either.
 #pragma once
 
 #include "sim/core/conjugate_gradients.hpp"
@@ -9,12 +9,13 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
 class Viscosity : public Force {
  public:
-  /// @param wall_viscosity the largest of any wall, Pa·s
+  /// @param wall_viscosity the largest wall viscosity of any wall or obstacle, Pa·s
   Viscosity(const FluidConstants& constants, float wall_viscosity);
 
   bool apply(const StepContext& s) override;
 
-  // The two ways to do it; public since CUDA has no loops in private functions.
+  // Parts of apply(), which leave the velocity changes in Particles::velocity_change(). They are
+  // public since CUDA allows no device lambdas in private functions.
   void explicit_step(const StepContext& s);
   void implicit_step(const StepContext& s);
 
@@ -26,12 +27,12 @@ class Viscosity : public Force {
   float support_radius_;  ///< H, m
   DiffusionKernel kernel_;
   double explicit_limit_;  ///< largest stable explicit time step, s
-  // Of the implicit step, which is a conjugate gradient iteration; empty until it is needed.
+  // State of the implicit step's conjugate gradient iteration; the fields are empty until needed.
   VectorField residual_, image_;
   Kept<ConjugateGradients> iteration_;
 };
 
-/// None where neither the liquid nor any wall holds it back.
+/// The viscosity of a scene; null where neither the liquid nor any wall or obstacle has one.
 std::unique_ptr<Force> make_viscosity(const Settings& settings, const FluidConstants& constants);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND
