@@ -1,5 +1,6 @@
 // Anderson acceleration of a fixed-point iteration (Anderson 1965; Walker & Ni 2011, "Anderson
-// acceleration for fixed-point iterations", eq. 1.3), with the last two steps as its memory.
+// acceleration for fixed-point iterations", eq. 1.3), with the last two steps as its memory. The
+// PCISPH pressure iteration uses it.
 //
 // From the iterates pₖ and their residuals rₖ it takes the combination of the last three that makes
 // the residual smallest,
@@ -15,21 +16,21 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// An unknown, and how wrong it is.
+/// The iterate of one unknown and its residual.
 struct AndersonPoint {
   float iterate, residual;
 };
 
-/// What of the two steps before goes into the best combination with the present one. It stays where
-/// the loops are, which look at it.
+/// The weights of the two earlier steps in the best combination with the present one. They live in
+/// memory that the loops share (Kept).
 struct AndersonWeights {
-  int known = 0;               ///< earlier steps in memory
-  int used = 0;                ///< of them in the combination
-  float last = 0, before = 0;  ///< θ₁ and θ₂
+  int known = 0;               ///< number of earlier steps in memory
+  int used = 0;                ///< number of those in the combination
+  float last = 0, before = 0;  ///< the weights θ₁ and θ₂
   double squared = 0;          ///< |rₖ|²
 
-  /// Sums over all unknowns of the products of the residual r, how it has changed since the last
-  /// step, l, and how it had changed then, b.
+  /// Sums over all unknowns of the products of the residual r, its change l since the last step,
+  /// and its change b in the last step.
   struct Products {
     double rr = 0, lr = 0, ll = 0, br = 0, bl = 0, bb = 0;
     SPINDRIFT_HD static Products of(double r, double l, double b) {
@@ -45,8 +46,10 @@ struct AndersonWeights {
     }
   };
 
+  /// Finds the weights from the sums over all unknowns.
   SPINDRIFT_HD void find(const Products& s) {
-    // A residual that grew has left the region where the steps told anything: start anew from here.
+    // A residual that grew has left the region in which earlier steps say anything: they are
+    // forgotten.
     constexpr double growth = 1.5;
     if (known > 0 && s.rr > growth * growth * squared)
       known = 0;
@@ -69,19 +72,19 @@ struct AndersonWeights {
   }
 };
 
-/// The two steps before, to be combined with the present one.
+/// The two earlier steps and their weights, as loops see them.
 struct AndersonView {
   const AndersonPoint* last;
   AndersonPoint* before;
   Kept<AndersonWeights>::View weights;
 
-  /// The best combination for unknown i, of which `now` is the present step.
+  /// The best combination for unknown i. @param now its present step
   SPINDRIFT_HD AndersonPoint mixed(std::uint32_t i, const AndersonPoint& now) const {
     return {mixed(i, now, &AndersonPoint::iterate), mixed(i, now, &AndersonPoint::residual)};
   }
 
-  /// Remembers the present step in place of the one before the last. Once for each unknown, after
-  /// it is mixed.
+  /// Remembers the present step of unknown i in place of the one before the last. To be called once
+  /// for each unknown, after mixed().
   SPINDRIFT_HD void keep(std::uint32_t i, const AndersonPoint& now) const { before[i] = now; }
 
  private:
@@ -96,12 +99,15 @@ struct AndersonView {
   }
 };
 
+/// The memory of the acceleration: start(), then combine() and advance() in every iteration.
 class AndersonAcceleration {
  public:
-  /// Forgets all steps.
+  /// Forgets all earlier steps.
   void start() { knows_any_ = false; }
 
-  /// Finds the best combination of the present step, now(i) for i in [0, count), with those before.
+  /// Finds the best combination of the present step with the earlier ones.
+  /// @param count number of unknowns
+  /// @param now   now(i) is the AndersonPoint of unknown i in the present step
   template <class F>
   AndersonView combine(Executor& executor, std::uint32_t count, F now) {
     for (Array<AndersonPoint>* step : {&last_, &before_})
@@ -127,7 +133,7 @@ class AndersonAcceleration {
     return {last_.data(), before_.data(), weights_.view()};
   }
 
-  /// After every unknown was kept.
+  /// Makes the present step the last one, after AndersonView::keep() for every unknown.
   void advance() { last_.swap(before_); }
 
   std::size_t memory_bytes() const {
@@ -137,7 +143,7 @@ class AndersonAcceleration {
  private:
   Array<AndersonPoint> last_, before_;
   Kept<AndersonWeights> weights_;
-  bool knows_any_ = false;  ///< earlier steps
+  bool knows_any_ = false;  ///< whether there is any earlier step
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

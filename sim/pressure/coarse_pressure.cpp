@@ -8,26 +8,27 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// A particle is spray or surface, and keeps no pressure, if its density is further below the rest
-/// density than its pressure can hold it up, by this ratio.
+/// A particle is spray or surface, and keeps no pressure, if its density ratio is below 1 by this
+/// much more than its pressure can hold it there.
 constexpr float slack = 0.03f;
 
-/// What a disordered neighbourhood lacks of the lattice's conductance is no surface. Counted as
-/// one, it would let pressure leak away within some twenty spacings, and a tall column fall.
+/// Share of the lattice's conductance that a disordered neighbourhood may lack without counting as
+/// free surface. Counted as one, it would let pressure leak away within some twenty spacings, and a
+/// tall column fall.
 constexpr float disorder = 0.03f;
 
 constexpr int slots = CellNeighbourView::slots, self = CellNeighbourView::self;
 
-/// What conductances are found from.
+/// The particles and boundary particles whose pairs make up the conductances.
 struct Pairs {
   ConductanceKernel kernel;
   CellGridView grid;
   PointView position;
-  const float* active;
-  NeighbourView wall_neighbours;
-  PointView walls;
+  const float* active;            ///< 1 for particles that may have pressure, else 0
+  NeighbourView wall_neighbours;  ///< the boundary particles near each particle
+  PointView walls;                ///< the boundary particles, with their volumes, m³
 
-  /// Σ w over all pairs of active particles, one of cell a and one of cell b, 1/m².
+  /// Σ w over all pairs of one active particle of cell a and one of cell b, 1/m².
   SPINDRIFT_HD float between(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t begin = grid.cell_begin(a), end = grid.cell_begin(a + 1);
     RunSum total;
@@ -43,7 +44,7 @@ struct Pairs {
     return total.value();
   }
 
-  /// Σ V_b w over the pairs of active particles of a cell and samples of walls, m.
+  /// Σ V_b w over all pairs of an active particle of a cell and a boundary particle, m.
   SPINDRIFT_HD float to_walls(std::uint32_t cell) const {
     float sum = 0;
     for (std::uint32_t i = grid.cell_begin(cell); i < grid.cell_begin(cell + 1); ++i) {
@@ -70,10 +71,10 @@ CoarsePressure::CoarsePressure(const FluidConstants& constants)
     abs_x += w * std::abs(p.x);
   });
   lattice_conductance_ = static_cast<float>(all);
-  // Pressure that falls linearly drops, across a plane, by the distance of a pair of particles; by
-  // a whole cell where it is flat in cells. The pairs that cross a plane are as many as they are
-  // long.
-  aggregate_factor_ = static_cast<float>(abs_x / squared_x);  // times the cell size, below
+  // Between the two particles of a pair across a plane, pressure that falls linearly drops over
+  // their distance, but over a whole cell where it is flat in cells. The number of pairs that cross
+  // a plane is proportional to their distance. The factor is yet to be multiplied by the cell size.
+  aggregate_factor_ = static_cast<float>(abs_x / squared_x);
 }
 
 void CoarsePressure::build(const StepContext& s, float delta) {
@@ -104,7 +105,8 @@ void CoarsePressure::find_active(const StepContext& s, float delta) {
   });
 }
 
-/// Each cell is linked with those that come after it in key order, both ways.
+/// A conductance is computed once for each pair of cells, by the one that comes first in key order,
+/// and written to both.
 void CoarsePressure::find_conductances(const StepContext& s) {
   const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
   grow(conductance_, CellNeighbourView::place(batches * lane_count, 0));
@@ -141,14 +143,15 @@ void CoarsePressure::find_conductances(const StepContext& s) {
     const float inside = pairs.between(c, c);
     const float full = of_lattice * particles;
     const float lacking = full - inside - around - pairs.to_walls(c) / volume;
-    // The last part keeps a body of liquid without any surface solvable.
+    // The last term keeps the system of a body of liquid without free surface solvable.
     const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
     conductance[CellNeighbourView::place(c, self)] = diagonal;
     inverse_diagonal[c] = diagonal > 0 ? 1 / diagonal : 0.f;
   });
 }
 
-/// A boundary sample has the pressure of the particle nearest to it, and adds its residual there.
+/// A boundary particle has the pressure of the fluid particle nearest to it, and adds its residual
+/// there.
 void CoarsePressure::attach_walls(const StepContext& s) {
   const BoundaryView solid = s.boundary;
   const PointView x = s.particles.drifted_position.view();
@@ -172,8 +175,9 @@ void CoarsePressure::attach_walls(const StepContext& s) {
   });
 }
 
-/// Solves for pressure_ from residual_, with the diagonal as preconditioner, to a hundredth. What
-/// decides when it ends stays where the loops are; those that are begun after that do nothing.
+/// Solves for pressure_ from residual_, with the diagonal as preconditioner, until a hundredth of
+/// the residual is left. The host looks at the iteration only now and then; loops that are begun
+/// after its end do nothing.
 void CoarsePressure::conjugate_gradients(Executor& executor) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-4;

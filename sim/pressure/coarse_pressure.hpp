@@ -1,12 +1,13 @@
-// What particles cannot tell each other quickly. An iteration over particles carries pressure one
-// support radius on; a column of a hundred particles would need a hundred iterations to feel its
-// own weight. On the grid of the neighbour search's cells, nine times fewer unknowns, the same
-// equation is solved across the whole liquid at once.
+// A pressure correction on a coarse grid, which the PCISPH solver adds to the first iteration of a
+// step. An iteration over particles carries pressure one support radius on; a column of a hundred
+// particles would need a hundred iterations to feel its own weight. On the grid of the neighbour
+// search's cells, with nine times fewer unknowns, the same equation is solved across the whole
+// liquid at once.
 //
 // The cells are aggregates of their particles: pressure is one number per cell, and a cell's
-// residual the sum of its particles'. In ∇²p = Σⱼ wᵢⱼ (pⱼ − pᵢ) two particles have a conductance
+// residual is the sum of its particles'. In ∇²p = Σⱼ wᵢⱼ (pⱼ − pᵢ) two particles have a conductance
 // wᵢⱼ between them; between cells it is the sum over their pairs. What a particle's neighbourhood
-// lacks is free surface, where pressure is zero. The solution is interpolated by quadratic
+// lacks counts as free surface, where pressure is zero. The solution is interpolated by quadratic
 // B-splines, which leave no kinks for the particles to mend.
 #pragma once
 
@@ -19,23 +20,25 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Weights of the three cells around by the quadratic B-spline; `place` in cells.
+/// Weights of the quadratic B-spline for the three cells around a point, along one axis.
+/// @param place the point's coordinate, in cells
 template <class Real>
 SPINDRIFT_HD std::array<Real, 3> spline_weights(Real place) {
   const Real t = place - rounded_down(place) - 0.5f;
   return {0.5f * (0.5f - t) * (0.5f - t), 0.75f - t * t, 0.5f * (0.5f + t) * (0.5f + t)};
 }
 
-/// The solution, as loops over particles look at it.
+/// The solution of the coarse grid, as loops over particles see it.
 struct CoarseView {
   GridMap map;
   CellGridView grid;
   CellNeighbourView neighbours;
-  PointView position;                       ///< of the particles, m
-  const float* pressure;                    ///< per cell, Pa
-  const std::uint32_t *nearest, *wet_cell;  ///< per wet boundary sample: a particle, its cell
+  PointView position;     ///< positions of the particles, m
+  const float* pressure;  ///< pressure per cell, Pa
+  /// Per wet boundary particle: the nearest fluid particle, and that particle's cell.
+  const std::uint32_t *nearest, *wet_cell;
 
-  /// f(i, pressure at particle i, Pa) for all particles of a cell.
+  /// Calls f(i, p) for all particles i of a cell, with the interpolated pressure p, Pa.
   template <class F>
   SPINDRIFT_HD void at_particles(std::uint32_t cell, F f) const {
     const Around around = pressures_around(cell);
@@ -43,13 +46,13 @@ struct CoarseView {
         grid.cell_begin(cell), grid.cell_begin(cell + 1),
         [&](auto i) { return at(position[i], around); }, f);
   }
-  /// Pressure at the wet boundary sample k, Pa: that of the particle nearest to it.
+  /// Pressure at the k-th wet boundary particle, Pa: that of the fluid particle nearest to it.
   SPINDRIFT_HD float at_wall(std::uint32_t k) const {
     return at(position[nearest[k]], pressures_around(wet_cell[k]));
   }
 
  private:
-  /// Of a cell and those around it, Pa; its own where there is none.
+  /// Pressures of a cell and of those around it, Pa; its own in place of cells that are empty.
   using Around = std::array<float, CellNeighbourView::slots>;
 
   SPINDRIFT_HD Around pressures_around(std::uint32_t cell) const {
@@ -76,57 +79,62 @@ struct CoarseView {
   }
 };
 
+/// The coarse grid's operator and its solver.
 class CoarsePressure {
  public:
   explicit CoarsePressure(const FluidConstants& constants);
 
-  /// Finds the cells' neighbours and conductances for the particles as they are, of which those
-  /// count that are under pressure or nearly dense enough for it.
+  /// Finds the cells' neighbours and conductances for the drifted positions. Only particles that
+  /// are under pressure, or nearly dense enough for it, count.
   /// @param delta pressure per density ratio, δ, Pa
   void build(const StepContext& s, float delta);
 
-  /// What is wrong at a particle or a wet boundary sample, in density ratios.
+  /// The error at a fluid particle or a wet boundary particle, in density ratios.
   struct Error {
-    float compression;  ///< ρ/ρ₀ − 1
-    float held_up;      ///< how far pressure can hold ρ/ρ₀ below what is wanted, p/δ
+    float compression;  ///< ρ/ρ₀ less the wanted value
+    float held_up;      ///< how far pressure can hold ρ/ρ₀ below the wanted value, p/δ
   };
 
-  /// The pressure per cell, Pa, that takes away the errors: error(k) is that of particle k for
-  /// k < count, then of the wet boundary samples. A cell's errors are added up with their signs,
-  /// and only their sum is bounded by what there is of pressure: else the scatter of single
-  /// particles would look like compression of the whole, and throw a tall column up.
+  /// Finds the pressure per cell, Pa, that takes away the errors. A cell's errors are added up with
+  /// their signs, and only their sum is bounded by the pressure that there is: else the scatter of
+  /// single particles would look like compression of the whole, and throw a tall column up.
+  /// @param error error(k) is the Error of unknown k: first come the fluid particles, then the wet
+  ///              boundary particles
   template <class F>
   void solve(const StepContext& s, F error);
 
-  /// Of the particles and samples that the last build() was for.
+  /// The solution, for the particles of the last build().
   CoarseView view() const { return view_; }
 
   std::size_t memory_bytes() const;
 
-  // Parts of build() and solve(); public since CUDA has no loops in private functions.
+  // Parts of build() and solve(). They are public since CUDA allows no device lambdas in private
+  // functions.
   void find_active(const StepContext& s, float delta);
   void find_conductances(const StepContext& s);
   void attach_walls(const StepContext& s);
   void conjugate_gradients(Executor& executor);
 
  private:
-  /// Part of the solution that is applied. Pressure outlasts the step in the warm start, so that
+  /// Share of the solution that is applied. Pressure outlasts the step in the warm start, so that
   /// with much more the steps swing from one side to the other.
   static constexpr float gain = 0.3f;
 
   ConductanceKernel kernel_;
   float lattice_conductance_;  ///< Σ w over a full lattice, the particle itself included, 1/m²
-  float aggregate_factor_;     ///< how much too stiff pressure is by being flat in cells, per their
-                               ///< size, 1/m
-  std::uint32_t count_ = 0;    ///< cells
+  float aggregate_factor_;     ///< how much too stiff the operator is since pressure is flat within
+                               ///< cells, per cell size, 1/m
+  std::uint32_t count_ = 0;    ///< number of cells
   CoarseView view_ = {};
 
-  ScalarField active_;  ///< per particle: 1 or 0
+  ScalarField active_;  ///< 1 for each particle that counts, else 0
   CellNeighbours neighbours_;
-  Array<float> conductance_;  ///< slots per cell; in its own the operator's diagonal
-  ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< per cell
+  /// Conductances from each cell to the 26 around it, by slot (CellNeighbourView::place), 1/m²; the
+  /// cell's own slot holds the operator's diagonal.
+  Array<float> conductance_;
+  ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< one value per cell
   Kept<ConjugateGradients> iteration_;
-  Array<std::uint32_t> nearest_, wet_cell_;  ///< per wet boundary sample
+  Array<std::uint32_t> nearest_, wet_cell_;  ///< as in CoarseView
 };
 
 template <class F>

@@ -5,12 +5,12 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// How far a step may move liquid that falls freely, in spacings.
+/// How far a step may move freely falling liquid, in spacings.
 constexpr double longest_way = 0.02;
 
-/// Of the mean compression that is asked for, what a step may leave. Measured on 16 pools with a
-/// body in them: with 1 the first frame is compressed by up to 1.6 times what is asked for on
-/// average, with 0.5 by 1.2, with 0.25 by 1.1, and by less than that in 15 of them.
+/// Share of solver.mean_compression that a step may leave. Measured on 16 pools with a body in
+/// them: the first frame's mean compression is up to 1.6 times the setting with 1, up to 1.2 times
+/// with 0.5, and up to 1.1 times with 0.25, less than that in 15 of them.
 constexpr float tightness = 0.25f;
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Liquid beside bodies that cut its lattice, brought to rest before the time begins. What is spread
-// evenly there (packing.hpp) is so under a pressure that is the same everywhere; under the one that
-// a depth of liquid makes it is not, and would set off at some tenths of a metre a second. So it
-// takes a number of steps in which it keeps no speed, while all other liquid stays.
+// Brings liquid beside bodies that cut its lattice to rest before the time begins. Particles that
+// are spread evenly there (packing.hpp) are at rest under a pressure that is the same everywhere;
+// under hydrostatic pressure they are not, and would set off at some tenths of a metre a second. So
+// they take a number of steps in which they keep no velocity, while all other particles stay.
 #pragma once
 
 #include "sim/core/frame.hpp"
@@ -10,31 +10,35 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+/// Brings the loose particles of a start to rest in a number of time steps, which the caller takes
+/// between begin() and end(), with end_step() after each.
 class Creep {
  public:
-  static constexpr int steps = 30;
+  static constexpr int steps = 30;  ///< number of steps to take
 
-  /// @param initial with particles that are loose @param next_id above the numbers of all particles
+  /// @param initial the start, with its loose particles
+  /// @param next_id a number above the ids of all particles
   Creep(const InitialParticles& initial, std::uint32_t next_id);
 
-  /// The longest step in which an acceleration, m/s², moves liquid a small part of the spacing, s.
+  /// The largest time step size, s, in which an acceleration, m/s², moves liquid no more than a
+  /// small part of the spacing, m.
   static double longest_step(double acceleration, float spacing);
 
-  /// Tolerances of the steps: where loose particles meet those that stay, some compression is left
-  /// over and above what a step leaves.
+  /// Settings with a smaller mean compression, for the solver of these steps: where loose particles
+  /// meet those that stay, some compression is left over and above what a step leaves.
   static SolverSettings tightened(SolverSettings settings);
 
-  /// Notes where the particles are and how fast, and stops them.
+  /// Notes the positions and velocities of all particles, and stops them.
   void begin(Executor& executor, Particles& particles);
-  /// After each step: stops them again, and puts those back that are to stay.
+  /// Stops all particles again after a step, and puts those that are not loose back.
   void end_step(Executor& executor, Particles& particles);
-  /// Gives the particles their speed again.
+  /// Gives the particles the velocities again that they had at begin().
   void end(Executor& executor, Particles& particles);
 
  private:
-  // By the particles' numbers.
-  Array<std::uint32_t> is_loose_;    ///< 1, or 0: it stays
-  VectorField position_, velocity_;  ///< before the steps, m, m/s
+  // One value per particle, by its id.
+  Array<std::uint32_t> is_loose_;    ///< 1 for loose particles, 0 for those that stay
+  VectorField position_, velocity_;  ///< values before the steps, m and m/s
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -6,24 +6,25 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// Time over which what is left over is taken away, in √(H/g).
+/// Time over which compression that is left over is taken away, in units of √(H/g).
 constexpr double release_time = 0.08;
 
-/// Part that is kept, at least, of the compression of a particle that is denser than it may be, as
+/// Least share that is kept of the compression of a particle that is denser than it may be, as
 /// where others reach one that walls alone had held.
 constexpr float kept_if_too_dense = 0.9f;
 
-/// Steps of this length, in √(H/g), and longer ones may add the whole tolerance; shorter ones a
-/// part, at least the second number.
+/// Steps of this size, in units of √(H/g), and larger ones may add the whole tolerance; smaller
+/// ones may add a proportional share of it, but at least the second number.
 constexpr double full_rate_time = 0.04, least_rate = 0.05;
 
-/// Above the rest density, or a little below it where pressure holds it there. Where there is far
-/// less than that, pressure is what an impact left, and nothing to keep up.
+/// The compression ρ/ρ₀ − 1 that counts as left over: all of it above the rest density, and up to
+/// `most` below it where pressure holds the density there. Where the density is far lower than
+/// that, the pressure is what an impact left, and nothing to keep up.
 SPINDRIFT_HD float counted(float density_ratio, float pressure, float most) {
   return std::max(density_ratio - 1, pressure > 0 ? -most : 0.f);
 }
 
-/// Of particles in a nozzle, what comes from walls and each other.
+/// Allows particles in a nozzle the compression that comes from walls and from each other.
 void allow_in_nozzles(const StepContext& s, float* excess) {
   if (s.held == nullptr)
     return;
@@ -65,12 +66,12 @@ void Leftover::note(const StepContext& s, const PointView& position) {
 }
 
 Allowance Leftover::allow(const StepContext& s) {
-  // Where nothing falls, there is no such time.
+  // Without acceleration this time is infinite, and the bound of 20 steps below holds.
   const double dt = s.duration,
                fall = std::sqrt(double{s.constants.support_radius} / double{s.acceleration});
   Allowance result{.excess = s.particles.excess.resized(s.particles.count), .leftover = total_};
   result.kept = static_cast<float>(1 - std::min(1., dt / std::min(20 * dt, release_time * fall)));
-  // Repeating a step does not ask for more than the step did.
+  // A repeated step, which is halved each time, has the same rate as the first try.
   const double first_dt = dt * std::pow(2., s.refusals);
   if (s.acceleration > 0)
     result.rate =

@@ -1,9 +1,10 @@
-// Compression that one step leaves to the next. A step ends within a tolerance, not at zero. Taken
-// away by the next step's pressure, what is left over would become velocity, the more the shorter
-// the step. So it is kept, and taken away over the time in which gravity moves a particle by a part
-// of its support; meanwhile the positions alone are eased (PressureSolver::finish), from which no
-// velocity comes. For the same reason short steps may add only a part of the tolerance: an error in
-// density is an error in velocity divided by the step.
+// Compression that one PCISPH step leaves to the next. A step ends within a tolerance, not at zero.
+// Taken away by the next step's pressure, what is left over would become velocity, the more the
+// shorter the step. So it is kept, and taken away over the time in which gravity moves a particle
+// by a part of its support radius; meanwhile the positions alone are eased
+// (PressureSolver::finish), from which no velocity comes. For the same reason short steps may add
+// only a part of the tolerance: an error in density, divided by the time step size, is an error in
+// velocity.
 #pragma once
 
 #include "sim/core/settings.hpp"
@@ -11,33 +12,34 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// What a step need not take away.
+/// The compression that a step need not take away.
 struct Allowance {
-  const float* excess;  ///< compression that a particle may keep in this step
-  float rate = 1;       ///< part of the tolerance that a step as short as this may add
-  float kept = 0;       ///< part of the wet samples' leftover compression that they may keep
+  const float* excess;  ///< compression that each particle may keep in this step
+  float rate = 1;       ///< share of the tolerance that a step as short as this may add
+  float kept = 0;  ///< share of their leftover compression that wet boundary particles may keep
   double leftover = 0;  ///< Σ max(0, ρ/ρ₀ − 1) over the particles at the start of the step
-  bool settling =
-      false;          ///< the particles start far too dense; only what goes beyond `excess` counts
+  /// Whether the particles start far too dense: then only compression beyond `excess` counts.
+  bool settling = false;
   float densest = 1;  ///< largest density ratio at the start of the step where that is far above 1
 };
 
+/// Notes the compression that steps leave over, and says how much of it the next one may leave.
 class Leftover {
  public:
   explicit Leftover(const SolverSettings& settings) : settings_(settings) {}
 
-  /// Notes the compression that there is, from density ratios and pressures: at the end of a step,
-  /// or of particles as they are given. Those that a nozzle moves do not count.
-  /// @param position of the particles, m, as long as the neighbour lists ask for
+  /// Notes the present compression, from the particles' density ratios and pressures, at the end of
+  /// a step or of particles as they are given. Particles in a nozzle do not count.
+  /// @param position of the particles, m, followed by the sentinel that pads neighbour lists
   void note(const StepContext& step, const PointView& position);
 
-  /// What a step may leave. Compression of particles in a nozzle that comes from walls and each
-  /// other is left as it is.
+  /// The compression that a step may leave. Particles in a nozzle may keep all of theirs that comes
+  /// from walls and from each other.
   Allowance allow(const StepContext& step);
 
  private:
   SolverSettings settings_;
-  double total_ = 0;  ///< sum over all particles of what is above zero
+  double total_ = 0;  ///< sum of max(0, compression) over all particles
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

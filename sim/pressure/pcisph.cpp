@@ -10,32 +10,35 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// Part of the last step's pressure that the iteration starts from. Less costs iterations; with all
-/// of it, pressure that is no longer needed pushes the liquid apart and makes energy.
+/// Share of the last step's pressure that the iteration starts from. Less costs iterations; with
+/// all of it, pressure that is no longer needed pushes the liquid apart and makes energy.
 constexpr float warm_start = 0.8f;
 
-/// Part of the full correction δ (ρ/ρ₀ − 1) that an iteration applies. The correction's operator
-/// has, on a lattice, eigenvalues up to about 2.4 times its diagonal, so that the full one would
-/// not converge.
+/// Share of the full correction δ (ρ/ρ₀ − 1) that an iteration applies. On a lattice the
+/// correction's operator has eigenvalues up to about 2.4 times its diagonal, so that the full one
+/// would not converge.
 constexpr float relaxation = 0.45f;
 
-/// Part of what a step has left over that is taken away at once, by the positions alone, and how
-/// much of it at most, in tolerances of the largest compression.
+/// Share of the compression left over by a step that easing the positions takes away at once, and
+/// the most that counts of it per particle, in units of solver.max_compression.
 constexpr float eased = 0.6f, most_eased = 0.15f;
 
-/// Parts of the tolerances below which liquid without any pressure falls freely.
+/// Shares of the tolerances of the mean and the largest compression below which liquid without any
+/// pressure falls freely.
 constexpr float nothing_in_all = 1e-3f, nothing_anywhere = 1e-2f;
 
 /// A step in which pressure moves any particle further than this many spacings has left the
 /// neighbourhood it was computed in, and is repeated smaller.
 constexpr float largest_correction = 0.4f;
 
+/// A share of a pressure, Pa, or zero where that is less than `least`.
 SPINDRIFT_HD inline float part_of(float share, float pressure, float least) {
   const float part = share * pressure;
   return part < least ? 0.f : part;
 }
 
-/// Pressure that takes away a part of a compression, Pa.
+/// Pressure that takes away a share of a compression by easing positions, Pa. Compression below
+/// zero counts as far as `pressure` holds it up.
 SPINDRIFT_HD inline float easing_pressure(float compression, float pressure, float delta,
                                           float most) {
   return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
@@ -57,7 +60,7 @@ class Pcisph : public PcisphSolver {
 
   StepResult solve(const StepContext& s, const Allowance& allowance) override {
     allowance_ = allowance;
-    // The eigenvalues grow with the square of the density.
+    // The eigenvalues of the correction's operator grow with the square of the density.
     const float delta = stiffness(s) / (allowance.densest * allowance.densest);
     const float largest_move = largest_correction * s.constants.spacing;
     acceleration_.start();
@@ -97,8 +100,8 @@ class Pcisph : public PcisphSolver {
     leftover_.note(s, s.particles.drifted_position.view());
   }
 
-  /// Moves corrected positions, and them alone, to take away some of what the step has left over.
-  /// Leaves the density ratios there.
+  /// Eases the positions: moves them, and no velocities, to take away some of the compression that
+  /// the step has left over. Updates the density ratios if the moved positions are kept.
   void ease(const StepContext& s) {
     Particles& p = s.particles;
     const float delta = stiffness(s), most = most_eased * settings_.max_compression;
@@ -134,17 +137,21 @@ class Pcisph : public PcisphSolver {
     return coarse_.memory_bytes() + acceleration_.memory_bytes() + wet_compression_.memory_bytes();
   }
 
-  // The steps of the algorithm; public since CUDA has no loops in private functions.
+  // Parts of the algorithm. They are public since CUDA allows no device lambdas in private
+  // functions.
 
-  /// δ of eq. 8 for a full lattice neighbourhood, where Σ∇W = 0, with density as a ratio to ρ₀:
-  ///   δ = ρ₀ / (Δt² V² Σ ∇W·∇W), Pa. One gradient is density's kernel's, the other pressure's.
+  /// The pressure per density ratio δ, Pa, of eq. 8 for a full lattice neighbourhood, in which Σ∇W
+  /// is zero, with density as a ratio to ρ₀:
+  ///   δ = ρ₀ / (Δt² V² Σ ∇W·∇W).
+  /// One gradient is that of the density's kernel, the other that of the pressure's.
   float stiffness(const StepContext& s) const {
     const double v_dt = double{s.constants.volume} * s.time_step;
     return static_cast<float>(s.constants.rest_density / (v_dt * v_dt * gradient_product_));
   }
 
-  /// A step is not refused for what there was before it. Refused steps ask for a little less each
-  /// time: where one starts at the very tolerance, a shorter one would not end below it either.
+  /// Whether the residual is within the tolerances. A step is not refused for compression that
+  /// there was before it. After each refusal the tolerances grow a little: where a step starts at
+  /// the very tolerance, a shorter one would not end below it either.
   bool converged(const Residual& residual, const StepContext& s) const {
     const double lenience = 1 + 0.02 * s.refusals;
     const double mean = lenience * settings_.mean_compression * s.particles.count;
@@ -153,17 +160,19 @@ class Pcisph : public PcisphSolver {
            residual.error <= 2 * mean * allowance_.rate;
   }
 
+  /// Whether the residual is so small that liquid without pressure may fall freely.
   bool is_nothing(const Residual& residual, const StepContext& s) const {
     return residual.largest <= nothing_anywhere * settings_.max_compression &&
            residual.error <=
                nothing_in_all * double{settings_.mean_compression} * s.particles.count;
   }
 
-  /// A part of the last step's pressure. The pressure that is kept is the mean over the time
-  /// between two velocities, the kick; in a step it acts for Δt only, and is larger by that ratio
-  /// when Δt shrinks: so a liquid at rest stays there when steps change length, and an impact's
-  /// pressure fits as well. What is too small to matter becomes zero, so that pressure that dies
-  /// away does not go through the denormal numbers, on which processors are a hundred times slower.
+  /// Starts the iteration from a share of the last step's pressure. The pressure that is kept is
+  /// the mean over the time between two velocities, the kick; in a step it acts for Δt only, and is
+  /// larger by that ratio when Δt shrinks: so a liquid at rest stays at rest when the time step
+  /// size changes, and an impact's pressure fits as well. What is too small to matter becomes zero,
+  /// so that pressure that dies away does not go through the denormal numbers, on which processors
+  /// are a hundred times slower.
   void start_pressure(const StepContext& s, float delta) {
     const float* last = s.particles.pressure.data();
     const PointView at = s.particles.drifted_position.view();
@@ -179,8 +188,9 @@ class Pcisph : public PcisphSolver {
     });
   }
 
-  /// Pressure acceleration and the position it leads to; notes how far pressure moves a particle.
-  /// @param largest_move that the neighbourhood allows, m
+  /// Computes the pressure accelerations and the positions they lead to, and notes how far pressure
+  /// moves any particle.
+  /// @param largest_move the largest move that the neighbour lists allow, m
   void accelerate_and_predict(const StepContext& s, float largest_move) {
     Particles& p = s.particles;
     const PointView drifted = p.drifted_position.view(), corrected = p.corrected_position.view();
@@ -210,8 +220,9 @@ class Pcisph : public PcisphSolver {
     });
   }
 
-  /// Density where the particles are predicted to be. A particle under pressure must be at the rest
-  /// density, neither above nor below it: expansion held up by pressure is an error as well.
+  /// Computes the density ratios at the predicted positions, and the residual. A particle under
+  /// pressure must be at the rest density, neither above nor below it: expansion held up by
+  /// pressure is an error as well.
   void predict_density(const StepContext& s, float delta) {
     Particles& p = s.particles;
     const PointView corrected = p.corrected_position.view(), drifted = p.drifted_position.view();
@@ -220,7 +231,8 @@ class Pcisph : public PcisphSolver {
     const Demand demand = this->demand(s);
     const CubicKernel kernel = density_kernel_;
     const float most = settings_.max_compression;
-    // Where what presses on a nozzle has no way out, no step is short enough to move it.
+    // Where liquid that presses on a nozzle has no way out, no step is short enough to move it:
+    // after some refusals it is accepted.
     const bool settling = allowance_.settling, can_clear_nozzles = s.refusals < 3;
     const auto so_far = prediction_.view();
     const auto predict = [=] SPINDRIFT_HD(std::uint32_t i) {
@@ -229,7 +241,7 @@ class Pcisph : public PcisphSolver {
       ratio[i] =
           density_ratio(i, step.constants, kernel, corrected, step.neighbours, step.boundary);
       const float wanted = demand.compression(i);
-      if (step.is_held(i)) {  // what comes from walls and from others in the nozzle remains
+      if (step.is_held(i)) {  // compression by walls and others in the nozzle remains
         const float pressed = can_clear_nozzles ? std::max(0.f, wanted) : 0.f;
         return Residual{pressed, pressed, pressed};
       }
@@ -245,8 +257,8 @@ class Pcisph : public PcisphSolver {
     predict_wet_density(s, delta);
   }
 
-  /// The same for the wet boundary samples; adds their errors. Without them a pair of particles
-  /// that lands on a floor bounces.
+  /// Computes the compressions of the wet boundary particles at the predicted positions, and adds
+  /// their errors to the residual. Without those a pair of particles that lands on a floor bounces.
   void predict_wet_density(const StepContext& s, float delta) {
     const PointView corrected = s.particles.corrected_position.view();
     const StepView step = s.view();
@@ -269,8 +281,8 @@ class Pcisph : public PcisphSolver {
     s.executor.reduce_to<Sum>("predict density", s.boundary.wet_count, prediction_, predict, note);
   }
 
-  /// The first correction of a step: what the whole liquid needs, from the coarse grid, and what
-  /// each particle does.
+  /// The first pressure correction of a step: the sum of the coarse grid's, for the liquid as a
+  /// whole, and each particle's own.
   void correct_everywhere(const StepContext& s, const Unknowns& unknowns,
                           const AndersonView& history) {
     const float delta = unknowns.delta, part = relaxation * delta;
@@ -291,6 +303,7 @@ class Pcisph : public PcisphSolver {
                         [=] SPINDRIFT_HD(std::uint32_t k) { correct(n + k, coarse.at_wall(k)); });
   }
 
+  /// A later pressure correction, from the best combination with earlier iterations.
   void correct_pressure(const StepContext& s, const Unknowns& unknowns,
                         const AndersonView& history) {
     const float part = relaxation * unknowns.delta;
@@ -301,9 +314,10 @@ class Pcisph : public PcisphSolver {
     });
   }
 
+  /// Errors of the density ratios before and after the positions are eased.
   struct Errors {
-    double before = 0, after = 0;  ///< Σ of their squares
-    float largest_before = 0, largest_after = 0;
+    double before = 0, after = 0;                 ///< sums of squares over the particles
+    float largest_before = 0, largest_after = 0;  ///< largest ρ/ρ₀ − 1
     SPINDRIFT_HD void join(const Errors& o) {
       before += o.before;
       after += o.after;
@@ -312,8 +326,8 @@ class Pcisph : public PcisphSolver {
     }
   };
 
-  /// Takes over the moved positions, which stand where the drifted ones did, and their density
-  /// ratios, if they are better.
+  /// Takes over the moved positions and their density ratios if these are better. The moved
+  /// positions stand in the field of the drifted ones.
   void keep_if_better(const StepContext& s, float delta) {
     Particles& p = s.particles;
     const PointView moved = p.drifted_position.view(), corrected = p.corrected_position.view();
@@ -360,11 +374,11 @@ class Pcisph : public PcisphSolver {
   CoarsePressure coarse_;
   AndersonAcceleration acceleration_;
   Leftover leftover_;
-  Allowance allowance_{};        ///< of this step
-  bool eases_ = false;           ///< whether the last step has left over what is worth it
-  ScalarField wet_compression_;  ///< of the wet boundary samples, this iteration
+  Allowance allowance_{};        ///< compression that this step may leave
+  bool eases_ = false;           ///< whether the last step has left over enough to ease positions
+  ScalarField wet_compression_;  ///< as in Unknowns
   Kept<Prediction> prediction_;
-  Kept<bool> better_;  ///< whether positions that were eased are better than those before
+  Kept<bool> better_;  ///< whether eased positions are better than those before
 };
 
 }  // namespace

@@ -13,22 +13,23 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// Sweeps after which the liquid is taken to find no rest.
+/// Number of sweeps after which the liquid is taken to find no rest.
 constexpr int most_sweeps = 400;
 
-/// Sweeps after which the rest is left to the steps.
+/// Number of sweeps at an arrival, after which the rest is left to the steps.
 constexpr int most_sweeps_at_arrival = 20;
 
-/// Part of the compression that a sweep may leave; more where that asks too much.
+/// Share of the compression that a sweep may leave; it grows where a sweep is refused.
 constexpr float left_by_a_sweep = 0.5f;
 
 /// Particles closer than this many spacings have no direction in which to part.
 constexpr float same_place = 0.01f;
 
+/// Compression max(0, ρ/ρ₀ − 1) of the particles.
 struct Compression {
   double sum = 0;
   float largest = 0;
-  Vec3<float> where{};  ///< the largest is, m
+  Vec3<float> where{};  ///< position of the particle with the largest, m
   SPINDRIFT_HD void join(const Compression& o) {
     sum += o.sum;
     if (o.largest > largest) {
@@ -38,6 +39,7 @@ struct Compression {
   }
 };
 
+/// The error message for liquid that finds no rest.
 std::string no_rest(const Compression& left, std::uint32_t count, const SolverSettings& settings) {
   std::array<char, 512> text{};
   std::snprintf(text.data(), text.size(),
@@ -52,7 +54,7 @@ std::string no_rest(const Compression& left, std::uint32_t count, const SolverSe
   return text.data();
 }
 
-/// A direction that depends on the number alone (golden-angle spiral on the sphere).
+/// A direction that depends on the particle's id alone (golden-angle spiral on the sphere).
 SPINDRIFT_HD Vec3<float> direction_of(std::uint32_t id) {
   const double z = 1 - 2 * std::fmod(0.5 + 0.6180339887498949 * id, 1.);
   const double angle = 2.399963229728653 * id, across = std::sqrt(1 - z * z);
@@ -60,11 +62,12 @@ SPINDRIFT_HD Vec3<float> direction_of(std::uint32_t id) {
           static_cast<float>(across * std::sin(angle)), static_cast<float>(z)};
 }
 
-/// Whether a nozzle moves particle i.
+/// Whether particle i is in a nozzle, which moves it.
 SPINDRIFT_HD bool is_held(const float* held, std::uint32_t i) {
   return held != nullptr && held[i] > 0;
 }
 
+/// The sweeps of settle(), whose arguments it holds.
 struct Settling {
   Executor& executor;
   Particles& particles;
@@ -78,6 +81,7 @@ struct Settling {
   Occasion occasion;
   std::unique_ptr<PcisphSolver> solver = make_pcisph(settings, constants);
 
+  /// Sweeps until the compression is within the tolerances; returns the number of sweeps.
   int run() {
     const bool arrival = occasion == Occasion::arrival;
     if (!arrival)
@@ -104,6 +108,7 @@ struct Settling {
     neighbourhood.update(executor, particles, radius);
   }
 
+  /// The compression of all particles, which it writes to Particles::compression.
   Compression compression() {
     find_neighbours();
     const CubicKernel kernel(constants.support_radius);
@@ -123,7 +128,7 @@ struct Settling {
     return executor.reduce<Compression>("settle", particles.count, measure_one);
   }
 
-  /// A particle that nothing presses on lies as far off the walls as liquid at rest does.
+  /// Puts particles without neighbours as far off the walls as liquid at rest lies.
   void place_alone() {
     find_neighbours();
     const Vec3Arrays x = particles.position.view();
@@ -138,7 +143,8 @@ struct Settling {
     });
   }
 
-  /// The gradient of a kernel is zero at its middle.
+  /// Moves particles apart that coincide: pressure cannot, since the gradient of a kernel is zero
+  /// at its centre.
   void part_coincident() {
     const Vec3Arrays x = particles.position.view();
     const PointView at = particles.drifted_position.view();
@@ -159,6 +165,8 @@ struct Settling {
     find_neighbours();
   }
 
+  /// One sweep: moves the particles by a pressure solve that leaves a share of the compression.
+  /// @param densest largest density ratio
   void ease(float densest) {
     const Vec3Arrays x = particles.position.view();
     const std::uint32_t n = particles.count;
@@ -187,7 +195,7 @@ struct Settling {
                          .kick = settings.max_time_step,
                          .acceleration = 0},
                         {.excess = excess, .settling = true, .densest = densest});
-      // Where nothing is accepted, a small part of too large a correction is better than none.
+      // Where no share is accepted, a small part of too large a correction is better than none.
       if (result.accepted || part >= 0.99f)
         break;
     }

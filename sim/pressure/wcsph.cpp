@@ -6,7 +6,8 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// p = ρ₀c²/γ ((ρ/ρ₀)^γ − 1), Tait's equation as in Monaghan 2005, eq. 4.3, with γ = 7; no tension.
+/// Pressure p = ρ₀c²/γ ((ρ/ρ₀)^γ − 1), Pa: Tait's equation as in Monaghan 2005, eq. 4.3, where γ is
+/// 7; zero where that is negative.
 SPINDRIFT_HD inline float tait_pressure(float density_ratio, float rest_density,
                                         float speed_of_sound) {
   const float r2 = density_ratio * density_ratio;
@@ -65,9 +66,9 @@ class Wcsph : public PressureSolver {
     return {};
   }
 
-  /// Sound must not cross a support radius in a step (Courant, Friedrichs, Lewy). A larger CFL
-  /// number than the default is for PCISPH: explicit steps are not stable with it. Measured at 1: a
-  /// splash makes 90 times its energy.
+  /// Sound must not cross a support radius in a step (Courant, Friedrichs, Lewy). CFL numbers above
+  /// the default are for PCISPH only: these explicit steps are not stable with them. Measured with
+  /// 1, a splash makes 90 times its energy.
   float time_step_limit() const override {
     constexpr float largest_stable = 0.4f;
     return std::min(settings_.cfl, largest_stable) * support_radius_ / speed_of_sound_;

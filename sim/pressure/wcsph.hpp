@@ -1,4 +1,5 @@
-// Basic SPH: pressure from an equation of state, one pass, no iteration.
+// The basic SPH solver (WCSPH), which finds pressure from an equation of state in one pass, without
+// iteration.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,9 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// @param speed_of_sound of the equation of state, m/s: the compression is about (v/c)²
+/// Makes the solver, with the pressure kernel of the settings.
+/// @param speed_of_sound c of the equation of state, m/s: the compression is about (v/c)² at speed
+/// v
 std::unique_ptr<PressureSolver> make_wcsph(const SolverSettings& settings,
                                            const FluidConstants& constants, float speed_of_sound);
 
