@@ -6,6 +6,7 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
+/// Sums and maxima over the particles.
 struct Totals {
   double compression = 0, squared_speed = 0, height = 0, squared_pressure = 0;
   float max_compression = 0;
@@ -34,7 +35,7 @@ void measure_pressure_with(const Kernel& kernel, const StepContext& s, double ti
   const StepView step = s.view();
   const Kernel of_pressure = kernel;
   s.executor.for_each("measure pressure", particles.count + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
-    at.value(i) = i < step.count ? sum[i] : 0;  // the sentinel's
+    at.value(i) = i < step.count ? sum[i] : 0;  // the sentinel has none
   });
   s.executor.for_each("measure pressure", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
     pressure[i] = per_time * mechanical_pressure(i, step.constants, of_pressure, at,

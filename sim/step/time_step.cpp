@@ -9,7 +9,7 @@
 namespace spindrift::sim {
 namespace {
 
-/// A step is at most this much longer than the one before it could have been.
+/// Largest ratio of a time step size to the size that the step before was allowed.
 constexpr double growth = 1.3;
 
 }  // namespace
@@ -26,20 +26,20 @@ double TimeStepControl::next(double remaining, double max_speed, double accelera
   double limit = fixed_limit_;
   if (max_speed > 0)
     limit = std::min(limit, settings_.cfl * support_radius_ / max_speed);
-  // A particle at rest must not be accelerated across a fraction of its support either (Ihmsen et
-  // al. 2010).
+  // A particle at rest must not be accelerated across a fraction of its support radius either
+  // (Ihmsen et al. 2010).
   if (acceleration > 0)
     limit = std::min(limit, std::sqrt(settings_.cfl * support_radius_ / acceleration));
-  // Pressure's directions are those at the start of the step. Under high pressure, as at the foot
-  // of a tall column, particles that turn around each other in a step are torn apart: their
-  // frequency is √(p/ρ)/d.
+  // Pressure acts along the directions at the start of the step. Under high pressure, as at the
+  // foot of a tall column, particles that turn around each other in a step are torn apart: their
+  // frequency is √(p/ρ)/d, d the spacing.
   if (pressure > 0)
     limit = std::min(limit, 0.15 * support_radius_ / std::sqrt(pressure / rest_density_));
   if (allowed_ > 0)
     limit = std::min(limit, growth * allowed_);
   limit = std::max(limit, double{settings_.min_time_step});
   allowed_ = limit;
-  // 5 ms in single precision are a little less, and must divide 20 ms by four all the same.
+  // In single precision 5 ms are a little less, and must still divide 20 ms into four steps.
   constexpr double rounding = 1e-6;
   return remaining / std::ceil(remaining / limit * (1 - rounding));
 }

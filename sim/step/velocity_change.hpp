@@ -1,4 +1,4 @@
-// The last part of every force that acts before pressure.
+// Applies the velocity changes of a force that acts before pressure; every Force ends with it.
 #pragma once
 
 #include <cmath>
@@ -7,11 +7,14 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// Adds the velocity changes that a force has left, m/s, to the drifted velocities, and
-/// moves the drifted positions on by them. What a nozzle moves is left alone.
-/// @return whether particles moved so far that they must be listed anew
+/// Adds the velocity changes that a force has left in Particles::velocity_change(), m/s, to the
+/// drifted velocities, and moves the drifted positions on by them, with contact. Particles in a
+/// nozzle are left alone.
+/// @param name the phase in the profile, a string literal
+/// @return whether any particle moved so far that neighbours must be listed anew
 inline bool change_velocities(const StepContext& s, std::string_view name) {
-  // Lists reach this far beyond the support radius, and pressure needs the most of it.
+  // In support radii. Neighbour lists reach a little beyond the support radius, and pressure needs
+  // most of that.
   constexpr float largest_move = 0.01f;
   Particles& p = s.particles;
   const PointView x = p.drifted_position.view(), v = p.drifted_velocity.view();
