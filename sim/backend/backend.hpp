@@ -1,6 +1,7 @@
-// What the solvers are written against: arrays, loops, cells and neighbour lists of one backend.
+// The backend that a source is compiled for: its arrays, loops, cells and neighbour lists. There
+// are two: OpenMP on the CPU, and the device, which is a CUDA GPU or, in tests, the CPU's cores.
 //
-// Sources that work on particles stand once and are compiled once per backend, each time in an
+// Sources that work on particles are written once and compiled once per backend, each time in an
 // inline namespace of its own, so that both can be in one program:
 //   namespace spindrift::sim::inline SPINDRIFT_BACKEND { … }
 // The backends differ in nothing but the folder that is included here.

@@ -1,4 +1,4 @@
-// Points found by place, for what is done once at the start of a run.
+// A hash grid that finds points near a place, for work done once on the host at a run's start.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,18 @@
 
 namespace spindrift::sim {
 
-/// Points by the cells that they are in.
+/// Points hashed by the cells of a uniform grid.
 class PointCells {
  public:
+  /// @param points positions, m
+  /// @param cell   edge of a cell, m
   PointCells(const std::vector<glm::vec3>& points, float cell) : cell_(cell) {
     for (std::uint32_t i = 0; i < points.size(); ++i)
       cells_[key(cell_of(points[i]))].push_back(i);
   }
 
+  /// Calls f(i) for the index i of every point in the 27 cells around p: for all that are closer
+  /// than a cell's edge, and for some that are farther.
   template <class F>
   void for_near(const glm::vec3& p, F f) const {
     const glm::ivec3 at = cell_of(p);

@@ -1,4 +1,4 @@
-// Arrays that live on the device.
+// Arrays in the device's memory (memory.hpp).
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,17 @@
 
 namespace spindrift::sim::inline device {
 
-/// What stands beside each other is read together: by the threads of a warp.
+/// Number of elements that are read together, side by side in memory: one per thread of a warp.
 constexpr int lane_count = 32;
 
-/// Sets n numbers to one value, after all that the device was given before.
+/// Sets n elements to one value, after all that the device was given before.
 template <class T>
 void fill(T* values, std::size_t n, const T& value) {
   const T one = value;
   launch(static_cast<std::uint32_t>(n), [=] SPINDRIFT_HD(std::uint32_t k) { values[k] = one; });
 }
 
-/// As much of a vector as fields need. The processor may look at elements after wait().
+/// As much of std::vector as the solvers need. The host may access elements after wait().
 template <class T>
 class Array {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -48,7 +48,7 @@ class Array {
     data_ = larger;
     capacity_ = capacity;
   }
-  /// Where that takes no memory, the device writes the new values, and is not waited for.
+  /// The device writes the new elements. The host waits for that only if the array needs memory.
   void resize(std::size_t size, const T& value = T{}) {
     const bool larger = size > capacity_;
     if (larger)
@@ -59,7 +59,7 @@ class Array {
     if (larger)
       wait();
   }
-  /// Makes room for so many values; what they were is lost.
+  /// Resizes the array; the values of its elements are lost if it needs more memory.
   void renew(std::size_t size) {
     if (size > capacity_) {
       wait();
@@ -98,18 +98,19 @@ class Array {
   std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// Sets all values to one.
+/// Sets all elements to one value.
 template <class T>
 void set_all(Array<T>& values, const T& value) {
   fill(values.data(), values.size(), value);
 }
 
+/// Resizes an array; the values of its elements may be lost.
 template <class T>
 void grow(Array<T>& values, std::size_t size) {
   values.renew(size);
 }
 
-/// Takes over numbers of the processor's, after all that the device was given before.
+/// Copies a host vector into an array, after all that the device was given before.
 template <class T>
 void put(Array<T>& values, const std::vector<T>& from) {
   values.renew(from.size());

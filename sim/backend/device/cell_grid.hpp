@@ -1,4 +1,4 @@
-// Sorts points by cell on the device.
+// Sorts points by the cells of a uniform grid, on the device.
 #pragma once
 
 #include "sim/backend/cells.hpp"
@@ -6,17 +6,17 @@
 
 namespace spindrift::sim::inline device {
 
-/// The occupied cells of a sorted set of points.
+/// The occupied cells of a set of points, and the order that sorts the points by cell.
 class CellGrid {
  public:
-  /// Sorts by cell; equal keys keep their order. The permutation: new place k holds old point
-  /// `order()[k]`.
+  /// Finds the order of the points by the keys of their cells; points with equal keys keep their
+  /// order. The points themselves stay where they are: the one at k in the new order is order()[k].
   void sort(const GridMap& map, const PointView& points, std::uint32_t count);
 
   const Array<std::uint32_t>& order() const { return order_; }
-  /// Brings one number per point into the new order, once.
+  /// Brings an array with one number per point into the new order; to be called once per sort().
   void permute(Array<std::uint32_t>& values);
-  /// Gives back the permutation's memory, where points stay as they are from now on.
+  /// Frees the memory of order(), where the points are not sorted again.
   void forget_order();
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(cell_keys_.size()); }
   CellGridView view() const { return {cell_keys_.data(), cell_begins_.data(), cell_count()}; }
@@ -25,8 +25,8 @@ class CellGrid {
  private:
   Scratch scratch_;
   Array<std::uint32_t> order_, other_order_;
-  Array<std::uint64_t> keys_, other_keys_;  ///< of each point
-  Array<std::uint8_t> begins_cell_;         ///< per point: whether it is the first of its cell
+  Array<std::uint64_t> keys_, other_keys_;  ///< key of each point's cell
+  Array<std::uint8_t> begins_cell_;         ///< whether each point is the first of its cell
   Array<std::uint64_t> cell_keys_;
   Array<std::uint32_t> cell_begins_;
 };

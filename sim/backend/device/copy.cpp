@@ -21,7 +21,7 @@ void* device_block(std::size_t bytes) {
   return memory;
 }
 
-/// Pinned, so that the device can write to it by itself.
+/// Pinned host memory, to which the device can copy without the host.
 void* host_block(std::size_t bytes) {
   void* memory = nullptr;
   check(cudaMallocHost(&memory, bytes));
@@ -34,7 +34,7 @@ cudaEvent_t new_event() {
   return event;
 }
 
-/// One that loops, which are in the default stream, do not wait for.
+/// A stream for which loops, which run in the default stream, do not wait.
 cudaStream_t new_stream() {
   cudaStream_t stream = nullptr;
   check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
@@ -92,11 +92,11 @@ std::shared_ptr<CopyRoom> CopyRooms::take(std::size_t bytes) {
         (best == nullptr || room->bytes() < (*best)->bytes()))
       best = &room;
   if (best == nullptr) {
-    // Those that are too small would never be taken again.
+    // Free rooms that are too small would never be taken again.
     std::erase_if(rooms_, [&](const auto& room) { return is_free(room) && room->bytes() < bytes; });
     return rooms_.emplace_back(std::make_shared<CopyRoom>(bytes + bytes / 8));
   }
-  // Whoever held it last, in any thread, has done with it.
+  // Orders the new use after all that the last holder, in any thread, did with the room.
   std::atomic_thread_fence(std::memory_order_acquire);
   return *best;
 }

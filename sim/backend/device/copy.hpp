@@ -1,5 +1,5 @@
-// Numbers for the processor to look at later, as they were when their copy was begun: they are
-// packed on the device in turn with all else, and cross over beside the loops that come after.
+// Copies of numbers from the device, as they are when the copy begins, for the host to use later.
+// They are packed on the device in turn with all other loops, and cross over while later loops run.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace spindrift::sim::inline device {
 
-/// A block on the device, and one in the processor's memory to which its contents go, in a CUDA
+/// A block of device memory, and a block of host memory to which its contents are copied in a CUDA
 /// stream of its own.
 class CopyRoom {
  public:
@@ -19,10 +19,10 @@ class CopyRoom {
 
   std::size_t bytes() const { return bytes_; }
   void* on_device() { return on_device_.get(); }
-  /// Begins to copy the first `bytes`, after all that the device was given before; it does not
-  /// wait for the copy when it is given more.
+  /// Begins to copy the first `bytes` to the host, after all that the device was given before. What
+  /// the device is given later does not wait for the copy.
   void send(std::size_t bytes);
-  /// Where they are, once they are there: waits for them alone. Any thread may ask.
+  /// Waits for the copy alone, and returns the host's block. Any thread may call it.
   const void* received() const;
 
  private:
@@ -30,16 +30,16 @@ class CopyRoom {
 
   std::size_t bytes_;
   Owned on_device_, on_host_;
-  Owned packed_, stream_;  ///< a CUDA event and stream
+  Owned packed_, stream_;  ///< CUDA event after packing, and stream of the copy
 };
 
-/// n numbers on their way. It may outlive what it was copied from.
+/// An array of n elements on its way to the host. It may outlive the array that it is copied from.
 template <class T>
 class Copy {
  public:
   Copy(std::shared_ptr<CopyRoom> room, std::uint32_t n) : room_(std::move(room)), n_(n) {}
 
-  /// The numbers, once; waits until they are there.
+  /// Waits for the elements and returns them. To be called once.
   std::vector<T> take() {
     const std::shared_ptr<CopyRoom> room = std::move(room_);
     const T* const values = static_cast<const T*>(room->received());
@@ -51,11 +51,12 @@ class Copy {
   std::uint32_t n_;
 };
 
-/// Rooms of copies: kept, and given again when nobody holds them any more.
+/// A pool of CopyRooms, which are used again when no Copy holds them any more.
 class CopyRooms {
  public:
+  /// A free room of at least `bytes`.
   std::shared_ptr<CopyRoom> take(std::size_t bytes);
-  /// On the device.
+  /// Device memory of all rooms, bytes.
   std::size_t memory_bytes() const;
 
  private:

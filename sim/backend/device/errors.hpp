@@ -1,4 +1,4 @@
-// What goes wrong on the device, as exceptions.
+// Errors of the device, thrown as exceptions.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,10 @@
 
 namespace spindrift::sim::inline device {
 
+/// Reports that the device has too little memory.
+/// @param bytes number of bytes more that are needed
+/// @param free  number of bytes that are free
+/// @throws std::runtime_error always
 [[noreturn]] inline void too_little_memory(std::size_t bytes, std::size_t free) {
   const auto megabytes = [](std::size_t n) { return std::to_string((n + 999'999) / 1'000'000); };
   throw std::runtime_error("the device has too little memory: " + megabytes(bytes) +
@@ -15,6 +19,7 @@ namespace spindrift::sim::inline device {
 }
 
 #ifdef __CUDACC__
+/// @throws std::runtime_error unless a CUDA call succeeded
 inline void check(cudaError_t error) {
   if (error != cudaSuccess)
     throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(error));

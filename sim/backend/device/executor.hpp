@@ -1,5 +1,5 @@
-// Runs the per-particle formulas on the device. Loops begin one after the other, and the processor
-// does not wait for them; it waits where a reduction brings a result.
+// Runs the per-particle formulas on the device. Loops run there one after the other, and the host
+// does not wait for them; it waits only where a reduction brings it a result.
 #pragma once
 
 #include <string_view>
@@ -14,31 +14,34 @@
 
 namespace spindrift::sim::inline device {
 
-/// A number or a few that loops make and look at, one after the other, and the processor now and
-/// then.
+/// A small value in device memory that loops read and write in turn, and that the host looks at
+/// only now and then.
 template <class T>
 class Kept {
  public:
-  /// How many loops that change it the processor should begin before it looks at it again.
+  /// Number of loops that change the value which the host should begin between two looks at it.
   static constexpr int look_every = 4;
 
   using View = const T*;
-  /// As loops look at it: like a pointer.
+  /// Read access for loops, used like a pointer.
   View view() const { return value_.data(); }
-  /// As the processor does; waits.
+  /// The value, for the host, which waits for it.
   T look() const { return fetched(value_.data()); }
+  /// Write access for loops.
   T* place() { return value_.data(); }
 
  private:
   Array<T> value_ = Array<T>(1);
 };
 
+/// Runs loops over indices on the device, and measures their time by phase. Every loop but copy()
+/// throws Stopped once the flag given to obey() is set.
 class Executor {
  public:
   using Index = std::uint32_t;
 
-  /// f(i) for i in [0, n). `name` is the phase in the profile, a string literal; a phase's time is
-  /// that until the processor goes on.
+  /// Calls f(i) for i in [0, n).
+  /// @param name the phase in the profile, a string literal; its time ends when the host goes on
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
     throw_if_stopped(stop_);
@@ -46,8 +49,8 @@ class Executor {
     launch(n, f);
   }
 
-  /// Like for_each, and joins what f returns, in an order that depends on n and the kind of device
-  /// only. T needs `void join(const T&)`.
+  /// Joins f(i) for i in [0, n), in an order that depends on n and the kind of device only, and
+  /// waits for the result. T needs `void join(const T&)`.
   template <class T, class F>
   T reduce(std::string_view name, Index n, F f) {
     throw_if_stopped(stop_);
@@ -61,7 +64,8 @@ class Executor {
     return fetched(result);
   }
 
-  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  /// Joins f(i) for i in [0, n) like reduce(), and calls use(*state, total) on the device, without
+  /// waiting.
   template <class T, class State, class F, class Use>
   void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
     throw_if_stopped(stop_);
@@ -70,7 +74,7 @@ class Executor {
     join_and<T>(scratch_, n, f, [=] SPINDRIFT_HD(const T& total) { use(*to, total); });
   }
 
-  /// The i in [0, n) for which f(i) holds, in order.
+  /// Sets `chosen` to the i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<std::uint32_t>& chosen, F f) {
     throw_if_stopped(stop_);
@@ -82,12 +86,13 @@ class Executor {
     chosen.renew(find_flagged(scratch_, flags, n, chosen.data()));
   }
 
-  /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
+  /// Adds value(k) to sums[place(k)] for k in [0, n), in the order of k.
+  /// @param place_count number that all places are below
   template <class Place, class Value>
   void add_at_places(std::string_view name, Index n, float* sums, Index place_count, Place place,
                      Value value);
 
-  /// f(i) for i in [0, n), as it is now, for the processor to look at later.
+  /// Begins to copy f(i) for i in [0, n), as it is now, for the host to use later.
   template <class T, class F>
   Copy<T> copy(std::string_view name, Index n, F f) {
     const PhaseClock::Scope timed(clock_, name);
@@ -98,16 +103,17 @@ class Executor {
     return {std::move(room), n};
   }
 
-  /// @throws std::runtime_error where the device has no room for so many particles
+  /// @param spacing of the particles, m
+  /// @throws std::runtime_error where the device has no memory for so many particles
   void check_room(std::size_t particles, float spacing) const {
     device::check_room(particles, spacing, free_memory());
   }
 
-  /// Until the processor may look at the particles.
+  /// Waits until the host may access the particles.
   void wait() const { device::wait(); }
 
-  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
-  /// finished.
+  /// Makes all loops from now on throw Stopped once `stop` is true, but for copies, which are of
+  /// what is finished.
   void obey(Stop stop) { stop_ = stop; }
 
   PhaseClock& clock() { return clock_; }
@@ -123,11 +129,12 @@ class Executor {
   Stop stop_ = nullptr;
   Scratch scratch_;
   CopyRooms copies_;
-  Array<std::uint8_t> flags_;                                         ///< of select()
-  Array<std::uint32_t> places_, other_places_, terms_, other_terms_;  ///< of add_at_places()
+  Array<std::uint8_t> flags_;  ///< working memory of select()
+  // Working memory of add_at_places().
+  Array<std::uint32_t> places_, other_places_, terms_, other_terms_;
 };
 
-/// Terms are sorted by their places, and the thread of each place's first term adds them up.
+/// Terms are sorted by their places, and the thread of each place's first term adds up all of them.
 template <class Place, class Value>
 void Executor::add_at_places(std::string_view name, Index n, float* sums, Index place_count,
                              Place place, Value value) {

@@ -1,8 +1,9 @@
-// Loops and reductions on the device that this is compiled for: a GPU, or, where a plain C++
-// compiler reads it, the processor's cores by Thrust's OpenMP system, on which the tests run.
+// Loops and reductions on the device: a GPU, or, where a plain C++ compiler reads this, the CPU's
+// cores by Thrust's OpenMP system, on which the tests run.
 //
-// What a loop does stands in its kernel once. Thrust's algorithms for a GPU have it sixteen times
-// and more: nine tenths of the time to compile them, and of the code.
+// The GPU's kernels are written here so that each has the body of its loop once. Thrust's
+// algorithms for a GPU have it sixteen times and more: nine tenths of the time to compile them, and
+// of the code.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@
 
 namespace spindrift::sim::inline device {
 
+/// T::join() as a binary function.
 template <class T>
 struct Join {
   SPINDRIFT_HD T operator()(T a, const T& b) const {
@@ -30,8 +32,8 @@ struct Join {
 
 #ifdef __CUDACC__
 
-constexpr std::uint32_t loop_threads = 128;        ///< of a block
-constexpr std::uint32_t most_partial_sums = 4096;  ///< blocks of a reduction
+constexpr std::uint32_t loop_threads = 128;        ///< threads per block
+constexpr std::uint32_t most_partial_sums = 4096;  ///< most blocks of a reduction
 
 template <class F>
 __global__ void __launch_bounds__(loop_threads) run_loop(std::uint32_t n, F f) {
@@ -40,7 +42,7 @@ __global__ void __launch_bounds__(loop_threads) run_loop(std::uint32_t n, F f) {
     f(i);
 }
 
-/// Calls store(block, what f returned, joined) once in each block.
+/// Joins f(i) for the indices i of each block, and calls store(block, total) once per block.
 template <class T, class F, class Store>
 __global__ void __launch_bounds__(loop_threads) join_blocks(std::uint32_t n, F f, Store store) {
   using BlockReduce = cub::BlockReduce<T, loop_threads>;
@@ -54,6 +56,7 @@ __global__ void __launch_bounds__(loop_threads) join_blocks(std::uint32_t n, F f
     store(blockIdx.x, sum);
 }
 
+/// The totals of the blocks: it stores them, and is the function that returns them again.
 template <class T>
 struct Partial {
   T* values;
@@ -61,13 +64,14 @@ struct Partial {
   __device__ void operator()(std::uint32_t i, const T& value) const { values[i] = value; }
 };
 
+/// Passes the total of the only block to a function.
 template <class T, class Use>
 struct UseTotal {
   Use use;
   __device__ void operator()(std::uint32_t, const T& total) const { use(total); }
 };
 
-/// f(i) for i in [0, n), begun after all that was begun before; returns at once.
+/// Calls f(i) on the device for i in [0, n), after all that was begun before; returns at once.
 template <class F>
 void launch(std::uint32_t n, F f) {
   if (n == 0)

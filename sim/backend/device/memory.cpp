@@ -19,8 +19,8 @@ std::size_t free_memory() {
   return free;
 }
 
-/// Managed memory could be larger than the device's, and would then be moved to and fro in each
-/// step; so what does not fit is an error.
+/// Managed memory may be larger than the device's, but would then be moved to and fro in each step.
+/// So what does not fit is an error.
 void* allocate(std::size_t bytes) {
   const std::size_t free = free_memory();
   if (bytes > free)
@@ -49,8 +49,8 @@ void copy_out(void* to, const void* from, std::size_t bytes) {
   check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost));
 }
 
-/// From memory that the system may move, such a copy is made before the call returns, as far as the
-/// processor's side goes: `from` is free again.
+/// A copy from pageable memory has read `from` before the call returns, so that the host may write
+/// over it.
 void copy_in(void* to, const void* from, std::size_t bytes) {
   if (bytes > 0)
     check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault));
@@ -98,7 +98,8 @@ void check_room(std::size_t particles, float spacing, std::size_t free) {
              fitting = room / bytes_per_particle;
   if (count <= fitting)
     return;
-  // In the same volume; rounded up to three digits, with some room for how it is divided.
+  // The spacing at which the same volume holds as many particles as fit, rounded up to three
+  // digits, with some room for how the volume is divided.
   const double wanted = 1.01 * double{spacing} * std::cbrt(count / fitting),
                digit = std::pow(10, std::floor(std::log10(wanted)) - 2);
   std::array<char, 400> text;
@@ -125,7 +126,7 @@ char* Scratch::allocate(std::ptrdiff_t bytes) {
     if (!block.taken && block.bytes >= size && (best == nullptr || block.bytes < best->bytes))
       best = &block;
   if (best == nullptr) {
-    // Those that are too small would never be taken again.
+    // Free blocks that are too small would never be taken again.
     std::erase_if(blocks_, [](const Block& block) {
       if (!block.taken)
         release(block.memory);

@@ -1,6 +1,7 @@
-// Memory that the device and the processor both see: CUDA's managed memory, whose pages move to the
-// side that touches them. A time step touches it on the device only; setting up and taking frames
-// read and write it on the processor.
+// Memory that the device and the host both see: CUDA's managed memory, whose pages move to the side
+// that touches them. A time step touches it on the device, and on the host only where particles
+// come or go; setting up a run reads and writes it on the host. Where the CPU's cores are the
+// device, it is ordinary memory.
 #pragma once
 
 #include <cstddef>
@@ -9,35 +10,37 @@
 
 namespace spindrift::sim::inline device {
 
-/// @throws std::runtime_error when the device has too little memory
+/// Allocates memory of the device. @throws std::runtime_error when it has too little
 void* allocate(std::size_t bytes);
 void release(void* memory) noexcept;
 
-/// Bytes that are free; where the processor's cores are the device, more than there ever are.
+/// Free memory of the device, bytes; the largest number where the CPU's cores are the device.
 std::size_t free_memory();
 
-/// Of a particle of a large liquid: walls, lists and working memory included.
+/// Memory per particle of a large liquid, with walls, neighbour lists and working memory, bytes.
 constexpr double bytes_per_particle = 500;
 
-/// @param spacing of the particles, m @param free bytes
-/// @throws std::runtime_error where so many particles do not fit: how many would, how far apart
+/// Checks that a number of particles fits into the device's free memory.
+/// @param spacing of the particles, m
+/// @param free    free memory, bytes
+/// @throws std::runtime_error if not; the message says how many particles fit, and at which spacing
 void check_room(std::size_t particles, float spacing, std::size_t free);
 
-/// Waits until the device has done all that it was given. The processor may read and write then.
-/// @throws std::runtime_error when something went wrong there
+/// Waits until the device has done all that it was given; then the host may access its memory.
+/// @throws std::runtime_error when something went wrong on the device
 void wait();
 
-/// @throws std::runtime_error when what was last given to the device cannot begin
+/// @throws std::runtime_error when the loop last given to the device could not begin
 void check_launch();
 
-/// Waits, and copies out of the device's memory, which stays where it is.
+/// Waits for the device, and copies from its memory to the host's, without moving managed pages.
 void copy_out(void* to, const void* from, std::size_t bytes);
 
-/// Copies into the device's memory, after all that the device was given before; the processor may
-/// write over its own numbers again at once.
+/// Copies from the host's memory into the device's, after all that the device was given before. The
+/// host may write over `from` when the call returns.
 void copy_in(void* to, const void* from, std::size_t bytes);
 
-/// One number of the device's.
+/// One value from the device's memory; waits for the device.
 template <class T>
 T fetched(const T* from) {
   T value;
@@ -45,8 +48,8 @@ T fetched(const T* from) {
   return value;
 }
 
-/// Working memory of the algorithms: blocks are kept and given again, so that a step allocates
-/// nothing once its first ones are done.
+/// A pool of working memory for the algorithms, with the interface of an allocator that Thrust asks
+/// for. Blocks are kept and used again, so that steps after the first ones allocate nothing.
 class Scratch {
  public:
   using value_type = char;
@@ -65,7 +68,7 @@ class Scratch {
     std::size_t bytes;
     bool taken;
   };
-  std::mutex mutex_;  ///< where the processor's cores are the device, they ask at the same time
+  std::mutex mutex_;  ///< where the CPU's cores are the device, they allocate at the same time
   std::vector<Block> blocks_;
 };
 

@@ -1,4 +1,4 @@
-// Meshes where loops on the device find them: copies, made when a run is set up.
+// Copies of the meshes of bodies in the device's memory, made when a run is set up.
 #pragma once
 
 #include <list>
@@ -12,7 +12,8 @@ using namespace geometry;
 
 class Meshes {
  public:
-  /// The body on the device; it stays there as long as this object does.
+  /// The body's mesh on the device, copied there by the first call. It lives as long as this
+  /// object.
   const MeshView* view_of(const MeshBody& body) {
     for (const Copy& copy : copies_)
       if (copy.body == &body)
@@ -46,7 +47,7 @@ class Meshes {
     Array<TriangleNode> nodes;
     Array<std::int32_t> blocks;
     Array<float> values;
-    Array<MeshView> view;  ///< one
+    Array<MeshView> view;  ///< one element
   };
   std::list<Copy> copies_;
 };

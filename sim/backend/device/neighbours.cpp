@@ -8,15 +8,15 @@
 namespace spindrift::sim::inline device {
 namespace {
 
-/// The candidates for neighbours of the points of a cell: nine runs of other points.
+/// The candidates for neighbours of the points of every cell: nine runs of other points each.
 struct Candidates {
-  const std::uint32_t* cell_of;              ///< of each point
-  const std::uint32_t *run_begin, *run_end;  ///< row by row, one per cell
+  const std::uint32_t* cell_of;              ///< cell of each point
+  const std::uint32_t *run_begin, *run_end;  ///< runs, row by row, one per cell
   std::uint32_t cell_count;
   PointView others;
   float squared_radius;  ///< m²
 
-  /// f(j) for those that are closer to point i, at p, than the radius.
+  /// Calls f(j) for the candidates j that are closer to point i, at p, than the radius.
   template <class F>
   SPINDRIFT_HD void near(std::uint32_t i, const Vec3<float>& p, F f) const {
     for (std::uint32_t row = 0; row < 9; ++row) {
@@ -31,7 +31,8 @@ struct Candidates {
   }
 };
 
-/// Notes each point's cell, and of each cell the runs of others in the 27 cells around it.
+/// Finds the cell of each point, and the runs of others in the 27 cells around each cell. The
+/// others and the radius are still to be set.
 Candidates find_candidates(const GridMap& map, const CellGridView& grid,
                            const CellGridView& other_grid, std::uint32_t* cell_of,
                            std::uint32_t* run_begin, std::uint32_t* run_end) {
@@ -53,7 +54,7 @@ Candidates find_candidates(const GridMap& map, const CellGridView& grid,
 
 }  // namespace
 
-/// Lists are counted, then written: the search is done twice, and no memory is guessed.
+/// Neighbours are counted, then written: the search is done twice, and no list length is guessed.
 void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const PointView& points,
                            std::uint32_t count, const CellGrid& other_grid, const PointView& others,
                            std::uint32_t, float radius) {

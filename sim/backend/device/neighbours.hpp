@@ -1,11 +1,11 @@
 // Neighbour lists on the device: for every particle, the points closer than a search radius. No
 // list has a cap.
 //
-// Particles stand in groups of 32, a warp's threads. A group's lists are as long as its longest
-// one, and interleaved, so that the threads, each at the k-th neighbour of its own particle, read
-// numbers that stand beside each other:
+// Particles are in groups of 32, as many as a warp has threads. The lists of a group have the
+// length of its longest one, and are interleaved, so that the threads, each at the k-th neighbour
+// of its own particle, read indices that stand beside each other:
 //
-//   particle 32 g + l, neighbour k:   numbers[ 32 (begins[g] + k) + l ]
+//   neighbour k of particle 32 g + l is   numbers[ 32 (begins[g] + k) + l ]
 #pragma once
 
 #include "sim/backend/cells.hpp"
@@ -14,22 +14,22 @@
 
 namespace spindrift::sim::inline device {
 
-/// Where a point lies that is near to none, m: outside every support radius, its square still
-/// finite in single precision.
+/// Coordinate of the sentinel, a point that is near to no other, m: outside every support radius,
+/// and its square is still finite in single precision.
 constexpr float sentinel_position = 1e15f;
 
 /// Read access to the lists, for use inside the per-particle formulas.
 struct NeighbourView {
-  const std::uint32_t* counts = nullptr;   ///< of each particle's neighbours
-  const std::uint64_t* begins = nullptr;   ///< of each group, in neighbours per particle
-  const std::uint32_t* numbers = nullptr;  ///< of the neighbours
+  const std::uint32_t* counts = nullptr;   ///< number of neighbours of each particle
+  const std::uint64_t* begins = nullptr;   ///< start of each group's lists, in rows of 32 indices
+  const std::uint32_t* numbers = nullptr;  ///< indices of the neighbours
 
   SPINDRIFT_HD bool empty(std::uint32_t i) const { return counts[i] == 0; }
 
-  /// Whether particle i has no other of its own kind near it.
+  /// Whether particle i has no neighbour but itself, in lists of one set of points.
   SPINDRIFT_HD bool alone(std::uint32_t i, std::uint32_t) const { return counts[i] == 1; }
 
-  /// f(j) for the neighbours j of particle i.
+  /// Calls f(j) for the neighbours j of particle i.
   template <class F>
   SPINDRIFT_HD void for_each(std::uint32_t i, F f) const {
     const std::uint32_t* j = numbers + begins[i / lane_count] * lane_count + i % lane_count;
@@ -46,10 +46,10 @@ struct NeighbourView {
   }
 };
 
-/// Adds up over points that follow each other.
+/// A sum over runs of consecutive points.
 class RunSum {
  public:
-  /// Σⱼ f(j) for j in [begin, end).
+  /// Adds f(j) for all j in [begin, end).
   template <class F>
   SPINDRIFT_HD void add(std::uint32_t begin, std::uint32_t end, F f) {
     for (std::uint32_t j = begin; j < end; ++j)
@@ -61,13 +61,14 @@ class RunSum {
   float total_ = 0;
 };
 
-/// use(j, value_at(j)) for j in [begin, end).
+/// Calls use(j, value_at(j)) for all j in [begin, end).
 template <class Value, class F>
 SPINDRIFT_HD void for_run(std::uint32_t begin, std::uint32_t end, Value value_at, F use) {
   for (std::uint32_t j = begin; j < end; ++j)
     use(j, value_at(j));
 }
 
+/// Builds and holds the neighbour lists of one set of points.
 class NeighbourLists {
  public:
   /// Lists, for each of the `count` sorted points of `grid`, the points of `other_grid` within
@@ -82,8 +83,8 @@ class NeighbourLists {
 
  private:
   Scratch scratch_;
-  Array<std::uint32_t> cell_of_;              ///< each point's cell
-  Array<std::uint32_t> run_begin_, run_end_;  ///< row by row of each cell: others around it
+  Array<std::uint32_t> cell_of_;              ///< cell of each point
+  Array<std::uint32_t> run_begin_, run_end_;  ///< runs of others around each cell, row by row
   Array<std::uint32_t> counts_;
   Array<std::uint64_t> begins_;
   Array<std::uint32_t> numbers_;

@@ -1,4 +1,4 @@
-// Arrays on the processor.
+// Arrays of the OpenMP backend, which are vectors in the host's memory.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace spindrift::sim::inline openmp {
 template <class T>
 using Array = std::vector<T>;
 
-/// Makes room for so many values; what they were is lost. Takes memory only where there is too
-/// little, and then not twice as much, as vectors do.
+/// Resizes an array; the values of its elements may be lost. It allocates only where there is too
+/// little memory, and then an eighth more than is needed, not twice as much as vectors do.
 template <class T>
 void grow(std::vector<T>& values, std::size_t size) {
   if (size > values.capacity()) {
@@ -22,13 +22,13 @@ void grow(std::vector<T>& values, std::size_t size) {
   values.resize(size);
 }
 
-/// Sets all values to one.
+/// Sets all elements to one value.
 template <class T>
 void set_all(std::vector<T>& values, const T& value) {
   std::fill(values.begin(), values.end(), value);
 }
 
-/// Takes over numbers of the processor's.
+/// Copies a host vector into an array.
 template <class T>
 void put(std::vector<T>& values, const std::vector<T>& from) {
   values = from;

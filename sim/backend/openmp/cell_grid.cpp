@@ -17,7 +17,8 @@ constexpr std::size_t digit_values = 1u << digit_bits;
 /// One stable pass of a radix sort of points by the digit of their key at `shift`: every thread
 /// counts and then places one consecutive part of the input. Keys are computed where they are
 /// needed, which costs less than to carry them along.
-/// @param point_at the k-th point of the input
+/// @param point_at point_at(k) is the k-th point of the input
+/// @param key_of   key_of(point) is the key of its cell
 template <class PointAt, class KeyOf>
 void radix_pass(std::uint32_t n, PointAt point_at, KeyOf key_of, int shift,
                 std::vector<std::uint32_t>& sorted) {

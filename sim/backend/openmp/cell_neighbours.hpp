@@ -1,7 +1,8 @@
-// Which of the 26 cells around an occupied cell are occupied, and where they stand in the grid.
+// The occupied cells among the 27 around each occupied cell, for the coarse pressure grid.
 //
-// The three cells x−1, x, x+1 of a row follow each other in the grid's order, as far as they are
-// occupied. So the first one's index is kept for each of the nine rows, and a bit for each cell.
+// Those of the three cells x−1, x, x+1 of a row that are occupied follow each other in the grid's
+// order. So for each cell and each of the nine rows around it the index of the row's first occupied
+// cell is kept, and for each of the 27 cells a bit that says whether it is occupied.
 #pragma once
 
 #include <array>
@@ -13,14 +14,15 @@
 
 namespace spindrift::sim::inline openmp {
 
+/// The neighbours of every cell, as loops see them. The 27 cells around a cell are its slots.
 struct CellNeighbourView {
-  const std::uint32_t* first = nullptr;     ///< nine per cell: of the row's first occupied cell
-  const std::uint32_t* occupied = nullptr;  ///< a bit for each slot
-  static constexpr int slots = 27;  ///< cells around a cell, x fastest; itself in the middle
-  static constexpr int self = 13;
+  const std::uint32_t* first = nullptr;  ///< first occupied cell, per cell and row, at row_place()
+  const std::uint32_t* occupied = nullptr;  ///< one bit per slot, for each cell
+  static constexpr int slots = 27;          ///< number of slots, in the order x fastest
+  static constexpr int self = 13;           ///< slot of the cell itself
   static constexpr int rows = 9;
 
-  /// Index of the cell in a slot; −1: it is not occupied.
+  /// Index of the cell in a slot; −1 if that is not occupied.
   std::int32_t at(std::uint32_t cell, int slot) const {
     const std::uint32_t row = occupied[cell] >> (slot / 3 * 3) & 7u, place = slot % 3;
     if ((row >> place & 1) == 0)
@@ -30,8 +32,9 @@ struct CellNeighbourView {
     return static_cast<std::int32_t>(first[row_place(cell, slot / 3)] + before);
   }
 
-  /// Of eight cells, from `cell` on, a multiple of eight: the indices of the cells x−1, x, x+1 in a
-  /// row. Where one is not occupied it is any index up to one beyond the last cell.
+  /// The indices of the cells x−1, x, x+1 in a row around each of eight cells, from `cell` on. For
+  /// one that is not occupied it is any index up to one beyond the last cell.
+  /// @param cell a multiple of eight
   std::array<IndexLanes, 3> row(std::uint32_t cell, int row) const {
     IndexLanes begin, bits;
     __builtin_memcpy(&begin, &first[row_place(cell, row)], sizeof begin);
@@ -40,8 +43,10 @@ struct CellNeighbourView {
     return {begin, second, second + (bits >> (3 * row + 1) & 1)};
   }
 
-  /// A cell's own weight times its value, less those of the cells around it; of eight cells at
-  /// once, those from each that is a multiple of eight on.
+  /// Writes to image[cell] the cell's own weight times its value, less those of the cells around
+  /// it. A call for a multiple of eight does so for the eight cells from there on; others do
+  /// nothing.
+  /// @param weights one per cell and slot, at place()
   void apply(std::uint32_t cell, const float* weights, const float* values, float* image) const {
     if (cell % lane_count != 0)
       return;
@@ -57,15 +62,18 @@ struct CellNeighbourView {
     __builtin_memcpy(image + cell, &sum, sizeof sum);
   }
 
-  /// Where a number of each cell and slot stands: eight cells' beside each other.
+  /// Index, in an array with one number per cell and slot, of the number of a cell and slot. The
+  /// numbers of eight cells stand beside each other.
   static std::size_t place(std::uint32_t cell, int slot) {
     return (std::size_t{cell / lane_count} * slots + slot) * lane_count + cell % lane_count;
   }
+  /// The same for an array with one number per cell and row.
   static std::size_t row_place(std::uint32_t cell, int row) {
     return (std::size_t{cell / lane_count} * rows + row) * lane_count + cell % lane_count;
   }
 };
 
+/// Finds and holds the neighbours of every cell of a grid.
 class CellNeighbours {
  public:
   void build(const GridMap& map, const CellGridView& grid);

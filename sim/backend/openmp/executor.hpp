@@ -1,6 +1,6 @@
-// Runs the per-particle formulas on the processor's cores. Every result is the same for any number
-// of threads: particles are independent within a loop, and sums are taken over blocks of fixed
-// size, in order.
+// Runs the per-particle formulas on the CPU's cores. Every result is the same for any number of
+// threads: particles are independent within a loop, and sums are taken over blocks of fixed size,
+// in order.
 #pragma once
 
 #include <omp.h>
@@ -18,47 +18,52 @@
 
 namespace spindrift::sim::inline openmp {
 
-/// A number or a few that loops make and look at, one after the other, and the processor now and
+/// A small value that loops read and write in turn, and that the code around them looks at now and
 /// then.
 template <class T>
 class Kept {
  public:
-  /// How many loops that change it the processor should begin before it looks at it again.
+  /// Number of loops that change the value between two looks at it; here a look costs nothing.
   static constexpr int look_every = 1;
 
+  /// A copy of the value, used like a pointer to it.
   struct View {
     T value;
     const T* operator->() const { return &value; }
     const T& operator*() const { return value; }
   };
-  /// As loops look at it: like a pointer.
+  /// Read access for loops.
   View view() const { return {value_}; }
-  /// As the processor does.
+  /// The value, outside of loops.
   const T& look() const { return value_; }
+  /// Write access for loops.
   T* place() { return &value_; }
 
  private:
   T value_{};
 };
 
-/// Numbers as they were when they were copied.
+/// An array of elements as they were when they were copied.
 template <class T>
 class Copy {
  public:
   explicit Copy(std::vector<T> values) : values_(std::move(values)) {}
-  /// Once.
+  /// The elements. To be called once.
   std::vector<T> take() { return std::move(values_); }
 
  private:
   std::vector<T> values_;
 };
 
+/// Runs loops over indices on the CPU's cores, and measures their time by phase. Every loop but
+/// copy() throws Stopped once the flag given to obey() is set.
 class Executor {
  public:
   using Index = std::uint32_t;
   static constexpr Index block_size = 512;  ///< particles per task and per partial sum
 
-  /// f(i) for i in [0, n). `name` is the phase in the profile; a string literal.
+  /// Calls f(i) for i in [0, n).
+  /// @param name the phase in the profile, a string literal
   template <class F>
   void for_each(std::string_view name, Index n, F f) {
     throw_if_stopped(stop_);
@@ -73,8 +78,8 @@ class Executor {
     }
   }
 
-  /// Like for_each, and joins what f returns: block by block in order, so that the result of a
-  /// floating-point sum does not depend on the threads. T needs `void join(const T&)`.
+  /// Joins f(i) for i in [0, n), block by block in order, so that the result of a floating-point
+  /// sum does not depend on the threads. T needs `void join(const T&)`.
   template <class T, class F>
   T reduce(std::string_view name, Index n, F f) {
     throw_if_stopped(stop_);
@@ -96,13 +101,13 @@ class Executor {
     return total;
   }
 
-  /// The same, but what they join to stays where the loops are: use(*state, total) there.
+  /// Joins f(i) for i in [0, n) like reduce(), and calls use(*state, total).
   template <class T, class State, class F, class Use>
   void reduce_to(std::string_view name, Index n, Kept<State>& state, F f, Use use) {
     use(*state.place(), reduce<T>(name, n, f));
   }
 
-  /// The i in [0, n) for which f(i) holds, in order.
+  /// Sets `chosen` to the i in [0, n) for which f(i) holds, in order.
   template <class F>
   void select(std::string_view name, Index n, Array<Index>& chosen, F f) {
     throw_if_stopped(stop_);
@@ -113,7 +118,7 @@ class Executor {
         chosen.push_back(i);
   }
 
-  /// sums[place(k)] += value(k) for k in [0, n), in the order of k; places are below `place_count`.
+  /// Adds value(k) to sums[place(k)] for k in [0, n), in the order of k.
   template <class Place, class Value>
   void add_at_places(std::string_view name, Index n, float* sums, Index, Place place, Value value) {
     throw_if_stopped(stop_);
@@ -122,7 +127,7 @@ class Executor {
       sums[place(k)] += value(k);
   }
 
-  /// f(i) for i in [0, n), as it is now, for whoever looks at it later.
+  /// Copies f(i) for i in [0, n), as it is now, for later use.
   template <class T, class F>
   Copy<T> copy(std::string_view name, Index n, F f) {
     const PhaseClock::Scope timed(clock_, name);
@@ -133,18 +138,18 @@ class Executor {
     return Copy<T>(std::move(values));
   }
 
-  /// What does not fit here, the system says.
+  /// Checks nothing: allocations fail by themselves where particles do not fit into the memory.
   void check_room(std::size_t, float) const {}
 
-  /// Until particles may be looked at outside of loops.
+  /// Does nothing: particles may be accessed outside of loops at any time.
   void wait() const {}
 
   std::size_t memory_bytes() const {
     return 0;
   }
 
-  /// From now on loops throw Stopped once `stop` is true, but for copies, which are of what is
-  /// finished.
+  /// Makes all loops from now on throw Stopped once `stop` is true, but for copies, which are of
+  /// what is finished.
   void obey(Stop stop) {
     stop_ = stop;
   }

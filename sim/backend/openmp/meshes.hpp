@@ -1,4 +1,4 @@
-// Meshes where loops on the processor find them: as they are.
+// Access to the meshes of bodies for loops on the CPU, which use them without a copy.
 #pragma once
 
 #include <cstddef>

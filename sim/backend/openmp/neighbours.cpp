@@ -24,8 +24,8 @@ constexpr auto packed_lanes = [] {
 }();
 #endif
 
-/// Moves the lanes of the mask's set bits to the front and writes all eight; returns how many they
-/// are.
+/// Writes the lanes of the mask's set bits, packed to the front, and returns how many there are. It
+/// may write all eight lanes.
 template <class Numbers>
 inline std::uint32_t write_chosen(void* out, Numbers lanes, unsigned mask) {
 #ifdef __AVX2__
@@ -43,6 +43,7 @@ inline std::uint32_t write_chosen(void* out, Numbers lanes, unsigned mask) {
   return static_cast<std::uint32_t>(std::popcount(mask));
 }
 
+/// A mask with a bit for each lane, set where the lane is not zero.
 inline unsigned bits_of(IndexLanes chosen) {
 #ifdef __AVX2__
   return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(chosen)));
@@ -54,7 +55,7 @@ inline unsigned bits_of(IndexLanes chosen) {
 #endif
 }
 
-/// Smallest box around some points.
+/// The smallest box around the points of a cell.
 struct Bounds {
   Vec3<float> min, max;
 
@@ -80,8 +81,8 @@ struct Bounds {
   }
 };
 
-/// The points that may be near those of one cell, side by side. They are loaded once for all of the
-/// cell's points, which are about nine, and those that are too far from all of them are left out.
+/// The points that may be near those of one cell, side by side in memory. They are loaded once for
+/// all of the cell's points, which are about nine. Points too far from all of them are left out.
 class Candidates {
  public:
   void find(const Bounds& bounds, const std::array<RowCursors::Run, 9>& runs,
@@ -99,7 +100,7 @@ class Candidates {
       for (std::uint32_t j = run.begin; j < run.end; j += lane_count) {
         const LaneRows p = load(others.rows, LaneRun{j});
         const auto first = static_cast<std::int32_t>(LaneList::place_of(j));
-        // A little farther, for what rounding does to the box's distance.
+        // The radius is a little larger here since the distance to the box is rounded.
         const unsigned mask = bits_of((bounds.squared_distance(p) < 1.00001f * squared_radius) &
                                       (lane < static_cast<std::int32_t>(run.end - j)));
         write_chosen(&x_[count_], p.x, mask);
@@ -113,8 +114,9 @@ class Candidates {
 
   std::uint32_t count() const { return count_; }
 
-  /// All closer to p than the radius, padded with the sentinel to whole batches, after the number
-  /// of those batches. Returns the list's end.
+  /// Writes the list of all candidates closer to p than the radius: the number of its batches, then
+  /// the candidates' places, padded with that of the sentinel to whole batches. Returns the list's
+  /// end.
   std::uint32_t* list(const Vec3<float>& p, float squared_radius, std::uint32_t sentinel,
                       std::uint32_t* const list) const {
     std::uint32_t* const begin = list + 1;
@@ -142,19 +144,21 @@ constexpr std::uint32_t empty_list = 0;
 
 }  // namespace
 
-/// One thread's place in the chunks. Lists lie one after the other; how long they will be need not
-/// be known, only how long they can be, so that nothing is copied and hardly anything left unused.
+/// Where one thread writes its lists in the chunks, one after the other. Only the length that a
+/// list can have must be known before, not the one that it will have, so that nothing is copied and
+/// hardly any memory is left unused.
 class NeighbourLists::Writer {
  public:
   explicit Writer(NeighbourLists& lists) : lists_(lists) {}
 
-  /// Room for a list of up to `most` numbers.
+  /// Memory for a list of up to `most` numbers.
   std::uint32_t* room(std::size_t most) {
     if (static_cast<std::size_t>(end_ - at_) < most)
       take(most);
     return at_;
   }
-  /// Keeps the list that was written there, up to `end`; returns its place.
+  /// Keeps the list that was written there, up to `end`, and returns its place in the chunks; an
+  /// empty list has place 0.
   std::uint32_t keep(std::uint32_t* end) {
     if (*at_ == 0)
       return 0;
@@ -211,7 +215,7 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Point
       for (auto c = static_cast<std::uint32_t>(b * cells_per_block); c < last_cell; ++c) {
         const std::uint32_t begin = grid.cell_begin(c), end = grid.cell_begin(c + 1);
         const auto& runs = cursors.around(grid.cell_key(c));
-        // As around most samples of dry walls.
+        // So it is around most boundary particles of dry walls.
         if (std::all_of(runs.begin(), runs.end(), [](auto& run) { return run.begin == run.end; })) {
           std::fill(&place_[begin], &place_[begin] + (end - begin), 0u);
           continue;

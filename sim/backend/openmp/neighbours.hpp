@@ -1,8 +1,8 @@
 // Neighbour lists: for every particle, the points closer than a search radius. No list has a cap.
 //
-// A list is a sequence of places (LaneList) padded to whole batches of eight with that of a
-// sentinel point that lies far from everything, so that sums over a list need no remainder loop and
-// no mask.
+// A list is a sequence of places (LaneList), padded to whole batches of eight with the place of a
+// sentinel, a point far from all others, so that sums over a list need no remainder loop and no
+// mask.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,30 @@
 
 namespace spindrift::sim::inline openmp {
 
-/// Where the sentinel lies, m: outside every support radius, its square still finite in single
-/// precision.
+/// Coordinate of the sentinel, m: outside every support radius, and its square is still finite in
+/// single precision.
 constexpr float sentinel_position = 1e15f;
 
 /// Read access to the lists, for use inside the per-particle formulas.
 struct NeighbourView {
-  const std::uint32_t* place = nullptr;          ///< of each particle's list, in the chunks
-  const std::uint32_t* const* chunks = nullptr;  ///< memory in pieces of `chunk_size` numbers
+  const std::uint32_t* place = nullptr;          ///< place of each particle's list in the chunks
+  const std::uint32_t* const* chunks = nullptr;  ///< memory of the lists, `chunk_size` numbers each
   static constexpr int chunk_bits = 14;
   static constexpr std::size_t chunk_size = std::size_t{1} << chunk_bits;
 
-  /// The list of particle i: how many batches of eight places it has, then those places.
+  /// The list of particle i: the number of its batches of eight places, then those places.
   const std::uint32_t* list(std::uint32_t i) const {
     return chunks[place[i] >> chunk_bits] + (place[i] & (chunk_size - 1));
   }
   bool empty(std::uint32_t i) const { return *list(i) == 0; }
 
-  /// Whether particle i of `count` has no other of its own kind near it: after itself, the padding
-  /// begins.
+  /// Whether particle i of `count` has no neighbour but itself, in lists of one set of points: the
+  /// padding begins after itself.
   bool alone(std::uint32_t i, std::uint32_t count) const {
     return list(i)[2] == LaneList::place_of(count);
   }
 
-  /// f(j) for the neighbours j of particle i, and perhaps for the sentinel.
+  /// Calls f(j) for the neighbours j of particle i, and perhaps for the sentinel.
   template <class F>
   void for_each(std::uint32_t i, F f) const {
     const std::uint32_t* j = list(i);
@@ -57,10 +57,10 @@ struct NeighbourView {
   }
 };
 
-/// Adds up over points that follow each other.
+/// A sum over runs of consecutive points.
 class RunSum {
  public:
-  /// Σⱼ f(j) for j in [begin, end). f takes eight of them, which may go on beyond the end.
+  /// Adds f(j) for all j in [begin, end). f takes eight of them, which may go on beyond the end.
   template <class F>
   void add(std::uint32_t begin, std::uint32_t end, F f) {
     constexpr IndexLanes lane{0, 1, 2, 3, 4, 5, 6, 7};
@@ -76,7 +76,8 @@ class RunSum {
   Lanes total_{};
 };
 
-/// use(j, value_at(j)) for j in [begin, end); eight values are found at once.
+/// Calls use(j, value_at(j)) for all j in [begin, end). value_at takes eight of them, which may go
+/// on beyond the end.
 template <class Value, class F>
 void for_run(std::uint32_t begin, std::uint32_t end, Value value_at, F use) {
   for (std::uint32_t j = begin; j < end; j += lane_count) {
@@ -86,6 +87,7 @@ void for_run(std::uint32_t begin, std::uint32_t end, Value value_at, F use) {
   }
 }
 
+/// Builds and holds the neighbour lists of one set of points.
 class NeighbourLists {
  public:
   /// Lists, for each of the `count` sorted points of `grid`, the points of `other_grid` within
@@ -105,11 +107,11 @@ class NeighbourLists {
   class Writer;
   using Chunk = std::unique_ptr<std::uint32_t[]>;
 
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> place_;         ///< as in NeighbourView
   std::vector<const std::uint32_t*> table_;  ///< the chunks in use; the first is the empty list
   std::vector<Chunk> chunks_;                ///< kept from one build to the next
-  std::vector<std::vector<std::uint32_t>> large_;  ///< of lists longer than a chunk
-  std::size_t taken_ = 0;                          ///< of `chunks_`
+  std::vector<std::vector<std::uint32_t>> large_;  ///< memory of lists longer than a chunk
+  std::size_t taken_ = 0;                          ///< number of `chunks_` in use
 };
 
 }  // namespace spindrift::sim::inline openmp
