@@ -9,16 +9,16 @@
 namespace spindrift::surface {
 namespace {
 
-// Coverage above which a particle lies deeper than the outermost layer.
+// A particle of a larger coverage than this lies deeper than the outermost layer.
 constexpr float enclosed = 0.85f;
 
-// Distance from a particle alone at which the field passes the iso-value, in spacings: the radius
-// of a sphere of volume 1.
+// Distance from a lone particle at which the field passes the iso-value, in spacings: the radius of
+// a sphere of volume 1.
 constexpr float drop_radius = 0.62f;
 
-// Kernel radius of a particle alone, in spacings, and the coverages between which it grows to the
-// full one: from a drop of one particle (0.1) past a pair (0.16) and a thread (0.23) to the rim of
-// a sheet (0.36).
+// Kernel radius of a lone particle, in spacings, and the coverages between which the radius grows
+// to the full one: from a drop of one particle (0.1) past a pair (0.16) and a thread (0.23) to the
+// rim of a sheet (0.36).
 constexpr float drop_kernel_radius = 1.5f;
 constexpr float lone = 0.12f;
 constexpr float joined = 0.3f;
@@ -29,8 +29,9 @@ Lanes load(const float* from) {
   return lanes;
 }
 
-// Sum of kernel_shape over the batch, whose size is a multiple of lanes. The lanes are summed in a
-// fixed order.
+// Returns the sum of kernel_shape at p over the batch, whose size is a multiple of lanes. The lanes
+// are summed in a fixed order.
+// @param inverse_square 1 / (kernel radius)^2
 float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inverse_square) {
   Lanes sum{};
   for (std::size_t k = 0; k < batch.size(); k += lanes) {
@@ -51,19 +52,21 @@ void pad_to_lanes(ParticleBatch& batch) {
   }
 }
 
-// Kernel radius for a particle of this coverage.
+// Returns the kernel radius of a particle of this coverage; `support` is the full radius.
 float kernel_radius(float coverage, float support) {
   const float t = std::clamp((coverage - lone) / (joined - lone), 0.0f, 1.0f);
   return glm::mix(drop_kernel_radius, support, t);
 }
 
-// The value that the field must have at the centre of a drop to pass the iso-value at its radius.
+// Returns the value that the field must have at the centre of a drop to pass the iso-value at
+// drop_radius, given the kernel's radius.
 float core_value(float iso_value, float radius) {
   const float t = 1.0f - drop_radius * drop_radius / (radius * radius);
   return iso_value / (t * t * t);
 }
 
-// The kernel of a particle at p, and whether it is near a surface.
+// Returns the kernel of a particle at p, and whether the particle is near a surface.
+// @param around the particles within the support of p, that particle included
 std::pair<ParticleKernel, bool> choose_kernel(const ParticleBatch& around, const glm::vec3& p,
                                               float support, float iso_value) {
   const float scale = kernel_scale(support);

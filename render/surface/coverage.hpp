@@ -1,4 +1,5 @@
-// How well each particle is surrounded by others, and the kernel that follows from it.
+// Measures how well each particle is surrounded by others, and chooses from that the kernel that
+// the particle adds to the scalar field whose iso-surface is the liquid's surface.
 //
 // The coverage of particle i is c_i = sum_j d^3 W(x_i - x_j, h): 1 deep inside the liquid, about
 // 0.77 at a flat surface, 0.53 in a sheet one particle thick, 0.23 in a thread, 0.1 for a particle
@@ -19,18 +20,22 @@
 
 namespace spindrift::surface {
 
-/// Particle j adds amplitude * kernel_shape(1 - r^2 / radius^2) to the field.
+/// A particle's kernel: at a distance r it adds amplitude * kernel_shape(1 - r^2 / radius^2) to the
+/// field.
 struct ParticleKernel {
   float amplitude;
-  float radius;  ///< in spacings
+  float radius;  ///< support radius, in particle spacings
 };
 
+/// The kernels of all particles, and which bins lie deep inside the liquid.
 struct Coverage {
-  std::vector<ParticleKernel> kernels;  ///< per sorted particle
-  std::vector<std::uint8_t> enclosed;   ///< per bin: no particle in it is near a surface
+  std::vector<ParticleKernel> kernels;  ///< one per particle, in the order of the bins
+  std::vector<std::uint8_t> enclosed;   ///< per bin: 1 if no particle in it is near a surface
 };
 
-/// @param bins of an edge equal to the kernel's support
+/// Measures the coverage of every particle and chooses its kernel.
+/// @param bins      bins whose edge equals the support radius h of the full kernel
+/// @param iso_value value of the field at the surface
 Coverage measure_coverage(const ParticleBins& bins, float iso_value);
 
 }  // namespace spindrift::surface

@@ -44,8 +44,9 @@ bool on_one_face(int edge_a, int edge_b) {
   return false;
 }
 
-// The surface's lines on the cube's faces: next[e] is the crossed edge that follows crossed edge e;
-// -1 where an edge is not crossed. Each run of inside corners around a face gets a line of its own.
+// Returns the surface's lines on the cube's faces: next[e] is the crossed edge that follows crossed
+// edge e, or -1 where e is not crossed. Each run of inside corners around a face gets a line of its
+// own.
 std::array<int, 12> face_lines(int inside_corners) {
   const auto inside = [inside_corners](int corner) {
     return ((inside_corners >> corner) & 1) != 0;
@@ -67,7 +68,7 @@ std::array<int, 12> face_lines(int inside_corners) {
   return next;
 }
 
-// Squared distance between the middles of two edges, times 4.
+// Returns the squared distance between the middles of two edges, times 4.
 int squared_length(int edge_a, int edge_b) {
   const CubeEdge a = cube_edge(edge_a);
   const CubeEdge b = cube_edge(edge_b);
@@ -80,6 +81,7 @@ int squared_length(int edge_a, int edge_b) {
   return sum;
 }
 
+// Length of a cut that lies in a face: larger than all the cuts of a loop without any such cut.
 constexpr int forbidden = 1 << 20;
 
 // Cuts loop[first ... last] into triangles with the shortest cuts that do not lie in a face.

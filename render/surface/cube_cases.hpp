@@ -1,5 +1,5 @@
-// Which triangles the surface makes in a cube, for each of the 256 ways in which its corners can
-// lie inside or outside (Lorensen & Cline 1987, "Marching cubes").
+// Tells which triangles the surface makes in a cube of the grid, for each of the 256 ways in which
+// the cube's corners can lie inside or outside (Lorensen & Cline 1987, "Marching cubes").
 //
 // Corner c lies at x = c & 1, y = (c >> 1) & 1, z = c >> 2. Edge e = 4 axis + n starts at the n-th
 // corner, in increasing order, whose coordinate along the axis is 0:
@@ -24,18 +24,21 @@
 
 namespace spindrift::surface {
 
+/// Where an edge of the cube lies.
 struct CubeEdge {
-  int axis;
-  int corner;  ///< the lower end; the upper one is corner | 1 << axis
+  int axis;    ///< the edge is parallel to x (0), y (1) or z (2)
+  int corner;  ///< corner at the lower end; that at the upper end is corner | 1 << axis
 };
 
+/// Returns where edge `edge`, 0 ... 11, lies.
 constexpr CubeEdge cube_edge(int edge) {
   const int axis = edge / 4;
   const int n = edge % 4;
-  const int below = n & ((1 << axis) - 1);  // the bits of n left below the axis, the rest above
+  const int below = n & ((1 << axis) - 1);  // n's bits for the axes below this one
   return {axis, below | ((n >> axis) << (axis + 1))};
 }
 
+/// The triangles of the surface in a cube.
 struct CubeCase {
   static constexpr int max_triangles = 5;
   int triangle_count = 0;
@@ -43,7 +46,8 @@ struct CubeCase {
   std::array<std::array<std::uint8_t, 3>, max_triangles> triangles{};
 };
 
-/// One case for each set of inside corners; bit c of the index is set if corner c is inside.
+/// Returns one case for each set of inside corners; bit c of the index is set if corner c is
+/// inside.
 ///
 /// On every face the surface separates the inside corners from each other, so that two cubes agree
 /// about the face between them. No triangle's side joins two vertices of one face unless it is the

@@ -1,16 +1,18 @@
-// Eight floats that are worked on at once: one register with AVX, two with SSE.
+// Defines a vector of eight floats that are worked on at once: one register with AVX, two with SSE.
 #pragma once
 
 #include <cstdint>
 
 namespace spindrift::surface {
 
-inline constexpr int lanes = 8;
+inline constexpr int lanes = 8;  ///< floats in a vector
 
-/// Lane i is lanes[i]; arithmetic is lane by lane, and with a float on every lane.
+/// A vector v, with the lanes v[0] ... v[7]. Arithmetic is done lane by lane; a float operand
+/// stands for a vector with that value in every lane.
 using Lanes = float __attribute__((vector_size(lanes * sizeof(float))));
 
-/// Without a comparison, for which GCC leaves vector code where there is no AVX.
+/// Returns the absolute value of every lane, without a comparison, for which GCC leaves vector code
+/// where there is no AVX.
 inline Lanes absolute(Lanes lanes) {
   using Bits = std::int32_t __attribute__((vector_size(sizeof(Lanes))));
   return Lanes(Bits(lanes) & 0x7fffffff);

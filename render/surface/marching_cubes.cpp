@@ -10,11 +10,11 @@
 namespace spindrift::surface {
 namespace {
 
-// How far below the surface `IsoSurface::bulk` is sampled, in spacings.
+// Depth below the surface at which `IsoSurface::bulk` is sampled, in particle spacings.
 constexpr double bulk_depth = 2.0;
 
-// A block's nodes with the neighbours that its surface needs: nodes -1 ... 9 along each axis, for
-// the gradients at nodes 0 ... 8, which are the corners of the block's cells.
+// The field at a block's nodes and at the neighbouring nodes that its surface needs: nodes -1 ... 9
+// along each axis, for the gradients at nodes 0 ... 8, which are the corners of the block's cells.
 class Apron {
  public:
   static constexpr int edge = block_edge + 3;
@@ -37,7 +37,7 @@ class Apron {
     }
   }
 
-  // Which of the nodes 0 ... 8 of a row along x lie inside; bit x of the result.
+  // Returns which of the nodes 0 ... 8 of a row along x lie inside: bit x is set if node x does.
   unsigned inside_nodes(int y, int z, float iso_value) const {
     const float* const row = &values_[1 + edge * ((y + 1) + edge * (z + 1))];
     unsigned bits = unsigned(row[block_edge] > iso_value) << block_edge;
@@ -61,12 +61,13 @@ class Apron {
   std::array<float, edge * edge * edge> values_;
 };
 
-// A grid edge seen from a block: its lower node, which may lie in a block beyond, and its axis.
+// A grid edge as seen from a block: its lower node, which may lie in a following block, and its
+// axis.
 struct GridEdge {
   std::uint8_t x, y, z, axis;
 };
 
-// What one block adds to the mesh, before its vertices have their final numbers.
+// The part of the mesh in one block, before its vertices have their numbers in the whole mesh.
 struct BlockSurface {
   struct Vertex {
     glm::vec3 position, normal;
@@ -75,7 +76,8 @@ struct BlockSurface {
   std::vector<Vertex> vertices;
   std::vector<std::array<GridEdge, 3>> triangles;
   SparseField::Around around;
-  std::array<std::uint16_t, 3 * block_nodes> vertex_on_edge;  // set for crossed edges only
+  // The number in this block of the vertex on each grid edge; set for crossed edges only.
+  std::array<std::uint16_t, 3 * block_nodes> vertex_on_edge;
 
   static int edge_index(int node, int axis) { return 3 * node + axis; }
 };
@@ -84,13 +86,14 @@ constexpr int node_index(int x, int y, int z) {
   return x + block_edge * (y + block_edge * z);
 }
 
-// The i-th of the eight blocks that hold the corners of a block's cells; the first is the block.
+// Returns the index in SparseField::Around of the i-th of the eight blocks that hold the corners of
+// a block's cells; number 0 is the block itself.
 constexpr int following(int i) {
   return 13 + (i & 1) + 3 * ((i >> 1) & 1) + 9 * (i >> 2);
 }
 
-// Can the surface cross one of the block's cells? Their corners lie in this block and in the seven
-// that follow it.
+// Returns whether the surface may cross one of the block's cells, whose corners lie in this block
+// and in the seven that follow it.
 bool may_be_crossed(const SparseField& field, const SparseField::Around& around) {
   const BlockSide side = field.side(around[following(0)]);
   if (side == BlockSide::both)
@@ -101,6 +104,7 @@ bool may_be_crossed(const SparseField& field, const SparseField::Around& around)
   return false;
 }
 
+// Marches the cells of one block.
 class BlockMarcher {
  public:
   BlockMarcher(const SparseField& field, const SparseField::Around& around, float iso_value,
@@ -123,7 +127,8 @@ class BlockMarcher {
   }
 
  private:
-  // The cells of a row along x, whose nodes lie in four rows of nodes.
+  // Marches the cells of a row along x. Their corners lie in four rows of nodes, for which `inside`
+  // holds the results of Apron::inside_nodes().
   void march_row(int y, int z, const std::array<unsigned, 4>& inside, BlockSurface& out) const {
     const unsigned any = inside[0] | inside[1] | inside[2] | inside[3];
     const unsigned all = inside[0] & inside[1] & inside[2] & inside[3];
@@ -138,7 +143,7 @@ class BlockMarcher {
     }
   }
 
-  // The vertices on the three grid edges that start at this node.
+  // Adds the vertices on those of the three grid edges starting at this node that are crossed.
   void add_vertices(const glm::ivec3& node, int corners, BlockSurface& out) const {
     for (int axis = 0; axis < 3; ++axis) {
       const bool here = (corners & 1) != 0;
@@ -156,7 +161,7 @@ class BlockMarcher {
     ++next[axis];
     const float a = values_.at(node);
     const float b = values_.at(next);
-    // Kept off the nodes, so that the vertices around a node stay apart.
+    // The vertex keeps off the nodes, so that the vertices around a node stay apart.
     constexpr float margin = 0.01f;
     const float t = std::clamp((iso_value_ - a) / (b - a), margin, 1.0f - margin);
     glm::vec3 point(node);
@@ -199,7 +204,8 @@ class BlockMarcher {
   Apron values_;
 };
 
-using BlockSurfaces = std::vector<std::unique_ptr<BlockSurface>>;  // null: no surface there
+// One part of the mesh per block, null where there is no surface.
+using BlockSurfaces = std::vector<std::unique_ptr<BlockSurface>>;
 
 BlockSurfaces march_blocks(const SparseField& field, float iso_value, float spacing) {
   BlockSurfaces blocks(field.block_count());
@@ -215,7 +221,8 @@ BlockSurfaces march_blocks(const SparseField& field, float iso_value, float spac
   return blocks;
 }
 
-// The final number of the vertex on a grid edge that a block's triangle refers to.
+// Returns the number in the whole mesh of the vertex on a grid edge that a block's triangle refers
+// to.
 std::uint32_t vertex_number(const GridEdge& edge, const SparseField::Around& around,
                             const BlockSurfaces& blocks,
                             const std::vector<std::uint32_t>& first_vertex) {

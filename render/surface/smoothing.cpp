@@ -13,7 +13,8 @@
 namespace spindrift::surface {
 namespace {
 
-// Every vertex's neighbours, in the order of the triangles.
+// The neighbours of every vertex, in the order of the triangles: those of vertex v are
+// index[begin[v]] ... index[begin[v + 1] - 1].
 struct Neighbours {
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> index;
@@ -44,13 +45,13 @@ struct Neighbours {
   }
 };
 
-// A vertex's position in lanes 0 ... 2, its normal in lanes 3 ... 5.
+// Packs a vertex's position into lanes 0 ... 2 and its normal into lanes 3 ... 5.
 Lanes to_lanes(const glm::vec3& position, const glm::vec3& normal) {
   return Lanes{position.x, position.y, position.z, normal.x, normal.y, normal.z, 0.0f, 0.0f};
 }
 
-// One step of weighted Laplacian smoothing: every vertex takes this share of each of the ways to
-// its neighbours.
+// Takes one step of weighted Laplacian smoothing: vertex v moves by share[v] times the sum of the
+// vectors to its neighbours.
 void relax(const Neighbours& neighbours, const std::vector<float>& share,
            std::span<const std::uint32_t> vertices, const std::vector<Lanes>& from,
            std::vector<Lanes>& to) {
@@ -67,17 +68,19 @@ void relax(const Neighbours& neighbours, const std::vector<float>& share,
   }
 }
 
-// Largest share of the way to the neighbours' mean: a full step would let two-coloured patterns
-// swing for ever.
+// Largest share of the way to its neighbours' mean that a vertex goes in one step: if it went the
+// whole way, two-coloured patterns would swing for ever.
 constexpr float step = 0.7f;
 
-// From none where the liquid is one or two layers of particles thick to full over the bulk.
+// Returns the share of the way to its neighbours' mean that a vertex goes in one step: from 0 where
+// the liquid is one or two layers of particles thick to `step` over the bulk.
 float smoothing_weight(float bulk) {
   const float t = std::clamp((bulk - 0.6f) / (0.9f - 0.6f), 0.0f, 1.0f);
   return step * t * t * (3.0f - 2.0f * t);
 }
 
-// 2 L - L^2 of some of the vertices, which are whole pieces of the mesh.
+// Applies the filter 2 L - L^2 to some of the vertices, which must make up whole pieces of the
+// mesh.
 class Filter {
  public:
   Filter(const Mesh& mesh, std::span<const float> bulk)
@@ -87,7 +90,7 @@ class Filter {
           smoothing_weight(bulk[v]) / float(neighbours_.begin[v + 1] - neighbours_.begin[v]);
   }
 
-  // @param result what is smoothed; the other vertices stay
+  // Smooths the given vertices of `result`; its other vertices stay as they are.
   void smooth(std::span<const std::uint32_t> vertices, int iterations, std::vector<Lanes>& result) {
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -103,6 +106,7 @@ class Filter {
   }
 
  private:
+  // Applies L, which is `iterations` steps, to `points`; `other` is overwritten.
   void apply(std::span<const std::uint32_t> vertices, int iterations, std::vector<Lanes>& points,
              std::vector<Lanes>& other) const {
     for (int i = 0; i < iterations; ++i) {
@@ -141,6 +145,7 @@ class Pieces {
 
   std::size_t count() const { return first_.size(); }
 
+  // Returns the vertices of the chosen pieces; `chosen` has one value per piece.
   std::vector<std::uint32_t> vertices_of(const std::vector<char>& chosen) const {
     std::vector<std::uint32_t> vertices;
     for (std::uint32_t v = 0; v < of_vertex_.size(); ++v)
@@ -151,7 +156,8 @@ class Pieces {
 
   std::uint32_t of_vertex(std::size_t v) const { return of_vertex_[v]; }
 
-  // Sums over the triangles in their order, whatever the number of threads.
+  // Returns the volume of every piece, below 0 for a bubble. It is summed over the triangles in
+  // their order, whatever the number of threads.
   template <class Position>
   std::vector<double> volumes(const Position& position) const {
     std::vector<double> sums(count());
@@ -168,19 +174,20 @@ class Pieces {
  private:
   const Mesh& mesh_;
   std::vector<std::uint32_t> of_vertex_;
-  std::vector<std::uint32_t> first_;  // vertex of each piece
+  std::vector<std::uint32_t> first_;  // first vertex of each piece
 };
 
 glm::dvec3 position_of(const Lanes& p) {
   return {p[0], p[1], p[2]};
 }
 
-// Share of a piece's volume that smoothing may take from it, or add to a bubble.
+// Largest share of its volume by which smoothing may change a piece.
 constexpr double most_lost = 0.01;
 
-// Gives pieces of which smoothing took too much as many iterations as leave them their volume,
-// between the powers of two below the number asked for.
-// @param points smoothed with that many iterations
+// Undoes smoothing, as far as needed, for the pieces whose volume it changed by more than
+// most_lost. The number of iterations is halved until the change is small enough; the vertices are
+// then interpolated between that result and the one before it.
+// @param points vertices smoothed with `iterations`
 void give_volume_back(const Mesh& mesh, Filter& filter, int iterations,
                       const std::vector<Lanes>& original, std::vector<Lanes>& points) {
   const Pieces pieces(mesh);
@@ -195,7 +202,7 @@ void give_volume_back(const Mesh& mesh, Filter& filter, int iterations,
   std::vector<double> lost = losses(points);
   std::vector<char> beyond(pieces.count());
   for (std::size_t piece = 0; piece < beyond.size(); ++piece)
-    beyond[piece] = !(lost[piece] <= most_lost);  // where there is no volume, there is no number
+    beyond[piece] = !(lost[piece] <= most_lost);  // true for NaN: the piece has no volume
   for (std::vector<std::uint32_t> vertices = pieces.vertices_of(beyond); !vertices.empty();
        vertices = pieces.vertices_of(beyond)) {
     iterations /= 2;

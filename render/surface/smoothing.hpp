@@ -16,10 +16,10 @@
 
 namespace spindrift::surface {
 
-/// Smooths vertices and normals.
-/// @param mesh       closed
+/// Smooths the vertices and vertex normals of a mesh.
+/// @param mesh       closed mesh
 /// @param bulk       per vertex: 1 over thick liquid, smaller where it is thin
-/// @param iterations of L, at most
+/// @param iterations most steps of Laplacian smoothing that make up L; 0 leaves the mesh as it is
 void smooth_mesh(Mesh& mesh, std::span<const float> bulk, int iterations);
 
 }  // namespace spindrift::surface

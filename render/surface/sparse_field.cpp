@@ -18,7 +18,7 @@ constexpr BlockValues all_nodes(float value) {
   return values;
 }
 
-// What the blocks without values of their own hold.
+// Values of the blocks that keep none of their own: 0 outside the liquid, 1 deep inside it.
 constexpr BlockValues all_zero = all_nodes(0.0f);
 constexpr BlockValues all_one = all_nodes(1.0f);
 
@@ -50,7 +50,7 @@ void splat(const glm::vec3& position, const ParticleKernel& kernel, float cell_s
   }
 }
 
-// Squared distance of a point from the cube [0, edge]^3.
+// Returns the squared distance of a point from the cube [0, edge]^3.
 float squared_distance_to_cube(const glm::vec3& p, float edge) {
   const glm::vec3 d = p - glm::clamp(p, 0.0f, edge);
   return glm::dot(d, d);
@@ -65,7 +65,7 @@ BlockSide side_of(const BlockValues& values, float iso_value) {
   return inside == block_nodes ? BlockSide::inside : BlockSide::both;
 }
 
-// The bins whose particles can reach a block's nodes, and whether the block needs them at all.
+// The box of bins whose particles can reach a block's nodes, both ends included.
 struct BinRange {
   glm::ivec3 lo, hi;
 
@@ -76,6 +76,8 @@ struct BinRange {
     hi = glm::ivec3(glm::floor((first + (block_edge - 1) * cell_size + reach) / bin_size));
   }
 
+  // Returns whether all bins of the box are enclosed: then the block lies deep in the liquid, and
+  // its field need not be summed.
   bool enclosed(const ParticleBins& bins, const Coverage& coverage) const {
     const glm::ivec3 extent = hi - lo + 1;
     int count = 0;
@@ -84,7 +86,7 @@ struct BinRange {
   }
 };
 
-// The field at the nodes of a block.
+// Returns the field at the nodes of a block.
 BlockValues sum_kernels(const ParticleBins& bins, const Coverage& coverage,
                         const glm::ivec3& block_cell, double cell_size) {
   const glm::dvec3 origin = glm::dvec3(block_cell) * (block_edge * cell_size);
@@ -113,8 +115,8 @@ SparseField::SparseField(const ParticleBins& bins, const Coverage& coverage, dou
   fill_blocks(bins, coverage, iso_value);
 }
 
-// Blocks that hold a node which some particle reaches, or the lower corner of a cell with such a
-// node, so that every cell the surface crosses belongs to a block.
+// Keeps the blocks that hold a node which some particle reaches, or the lower corner of a cell with
+// such a node, so that every cell the surface crosses belongs to a block.
 void SparseField::find_blocks(const ParticleBins& bins) {
   const double support = bins.bin_size() * 1.0001;  // a margin for rounding
   const double block_size = block_edge * cell_size_;

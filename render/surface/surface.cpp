@@ -16,7 +16,7 @@
 namespace spindrift::surface {
 namespace {
 
-// Written so that NaN fails.
+// Throws for a value out of range; the comparison is written so that NaN fails it.
 template <typename Number>
 void require_within(const char* name, Number value, Number lowest, Number highest) {
   if (!(value >= lowest && value <= highest))
@@ -39,7 +39,7 @@ void validate(float spacing, const SurfaceSettings& settings) {
 Mesh reconstruct_surface(std::span<const glm::vec3> positions, float spacing,
                          const SurfaceSettings& settings) {
   validate(spacing, settings);
-  constexpr double farthest = 1 << 20;  // in cells or spacings: what a float vertex can resolve
+  constexpr double farthest = 1 << 20;  // in cells or spacings: as far as float vertices resolve
   const double cell_size = double(settings.cell_size);
   const ParticleBins bins(positions, spacing, double(settings.kernel_radius),
                           farthest * std::min(1.0, cell_size));
