@@ -19,8 +19,9 @@ constexpr std::size_t buffer_bytes = 256 * 1024;
   throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(error));
 }
 
-// ".video.1234-0.part.mp4": hidden from listings and globs, and the extension stays, since
-// libraries go by it. The process id and the attempt keep two writers of the same file apart.
+// Returns a name like ".video.1234-0.part.mp4". It is hidden from listings and globs, and keeps the
+// extension, since libraries go by it. The process id and the attempt keep two writers of the same
+// file apart.
 std::filesystem::path temporary_for(const std::filesystem::path& file, int attempt) {
   constexpr std::size_t longest_stem = 128;  // bytes; leaves room below the usual limit of 255
   std::string name = ".";
@@ -31,7 +32,7 @@ std::filesystem::path temporary_for(const std::filesystem::path& file, int attem
   return file.parent_path() / name;
 }
 
-// Whether a name is one that temporary_for() gives.
+// Returns whether a name is one that temporary_for() gives.
 bool is_part(const std::string& name) {
   static const std::regex pattern(R"(\..*\.[0-9]+-[0-9]+\.part(\.[^.]*)?)");
   return std::regex_match(name, pattern);
@@ -39,8 +40,8 @@ bool is_part(const std::string& name) {
 
 }  // namespace
 
-// Refused before anything is rendered, rather than when it is to be renamed. A device such as
-// /dev/null must not be replaced by a file.
+// A name is refused before anything is rendered, rather than when the file is to be renamed. A
+// device such as /dev/null must not be replaced by a file.
 void require_replaceable(const std::filesystem::path& file) {
   std::error_code ignored;
   const auto status = std::filesystem::status(file, ignored);

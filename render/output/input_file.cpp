@@ -28,7 +28,7 @@ class Descriptor {
   int number_;
 };
 
-/// What a path names that is no regular file.
+/// Says what a path names that does not name a regular file.
 const char* kind_name(mode_t mode) {
   if (S_ISDIR(mode))
     return "is a folder, not a file";
@@ -39,8 +39,8 @@ const char* kind_name(mode_t mode) {
   return "is a device, not a file";
 }
 
-/// Opens a regular file for reading and tells its size, bytes. O_NONBLOCK: opening a pipe would
-/// wait for somebody to write to it.
+/// Opens a regular file for reading, sets `size` to its size in bytes, and returns its descriptor.
+/// Without O_NONBLOCK, opening a pipe would wait for somebody to write to it.
 int open_regular(const std::filesystem::path& file, std::size_t& size) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) {
@@ -77,7 +77,7 @@ std::string read_file(const std::filesystem::path& file) {
     if (count < 0)
       fail(file, std::string("cannot be read: ") + std::strerror(errno));
     if (count == 0)
-      break;  // it has become shorter meanwhile
+      break;  // the file has become shorter meanwhile
     done += static_cast<std::size_t>(count);
   }
   bytes.resize(done);

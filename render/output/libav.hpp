@@ -1,5 +1,5 @@
-// What the writer and the reader of videos share: owners of libav's objects, and its errors in
-// words.
+// Declares what the writer and the readers of videos share: owners of libav's objects, and libav's
+// errors in words.
 #pragma once
 
 extern "C" {
@@ -15,6 +15,7 @@ extern "C" {
 
 namespace spindrift::output {
 
+/// Frees an object of libav as its type requires; demuxers and muxers share one type.
 struct Free {
   void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
   void operator()(AVFrame* p) const { av_frame_free(&p); }
@@ -29,9 +30,12 @@ struct Free {
     }
   }
 };
+/// An object of libav that is freed with its owner.
 template <class T>
 using Owned = std::unique_ptr<T, Free>;
 
+/// Takes ownership of an object that libav has just allocated.
+/// @throws std::bad_alloc for a null pointer
 template <class T>
 Owned<T> owned(T* pointer) {
   if (pointer == nullptr)
@@ -39,7 +43,7 @@ Owned<T> owned(T* pointer) {
   return Owned<T>(pointer);
 }
 
-/// What an error of libav means.
+/// Says what an error number of libav means.
 inline std::string reason(int error) {
   std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
   av_strerror(error, text.data(), text.size());

@@ -1,4 +1,5 @@
-// Writers for pictures, videos and geometry. Every file appears under its name only when complete.
+// Declares the writers of pictures, videos and geometry, and the readers of pictures and videos.
+// Every file that is written appears under its name only when it is complete.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +18,22 @@
 
 namespace spindrift::output {
 
-/// Writes an 8-bit RGB PNG tagged sRGB. @throws std::runtime_error naming the file and the reason,
-/// std::invalid_argument for an empty image or one whose pixels do not fit its size.
+/// Writes an 8-bit RGB PNG tagged sRGB.
+/// @throws std::runtime_error naming the file and the reason, std::invalid_argument for an image
+/// that is empty, too large for the encoder, or whose pixels do not fit its size
 void write_png(const std::filesystem::path& file, const Image& image);
 
-/// The bytes of such a PNG. @throws std::invalid_argument as write_png
+/// Returns the bytes of the PNG that write_png() writes.
+/// @throws std::invalid_argument as write_png() does
 std::vector<std::byte> encode_png(const Image& image);
 
-/// Pictures of more pixels are not read: twice those of the largest picture that is drawn.
+/// Most pixels of a picture that is read: twice those of the largest picture that is drawn.
 inline constexpr std::size_t most_pixels = std::size_t{2} * 8192 * 8192;
 
 /// Reads a PNG as 8-bit RGB, without loss: grey is spread to three channels, a palette looked up. A
 /// picture that 8-bit RGB cannot hold is refused: one that is transparent somewhere, that has
 /// 16-bit samples between the 8-bit ones, or that is animated.
-/// @throws std::runtime_error naming the file and the reason.
+/// @throws std::runtime_error naming the file and the reason
 Image read_png(const std::filesystem::path& file);
 
 struct VideoSettings {
@@ -40,24 +43,27 @@ struct VideoSettings {
   int quality = 18;  ///< H.264 constant rate factor: 0 is best, 18 looks lossless, 51 is worst
 };
 
-/// H.264 in MP4 that browsers play: profile High, yuv420p, BT.709 tagged, constant frame rate,
-/// index at the front. Frames go in one by one; the file appears under its name on finish() (or on
-/// destruction after at least one frame, so that an interrupted run leaves a video of what was
-/// finished).
+/// Writes H.264 in MP4 that browsers play: profile High, yuv420p, BT.709 tagged, constant frame
+/// rate, index at the front. Frames go in one by one; the file appears under its name on finish()
+/// (or on destruction after at least one frame, so that an interrupted run leaves a video of what
+/// was finished).
 class VideoWriter {
  public:
   /// @throws std::invalid_argument for settings out of range, std::runtime_error when the encoder
-  /// is missing or the file can't be written.
+  /// is missing or the file can't be written
   VideoWriter(const std::filesystem::path& file, const VideoSettings& settings);
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
+  /// Appends a frame.
   /// @throws std::invalid_argument for an image of another size (the video goes on without it),
-  /// std::runtime_error when the file can't be written (the video is lost, and no file is left).
+  /// std::runtime_error when the file can't be written (the video is lost, and no file is left),
+  /// std::logic_error after finish() or after a failure to write
   void add(const Image& image);
 
-  /// Needs at least one frame. A second call does nothing. @throws std::runtime_error as add().
+  /// Completes the file. A second call does nothing.
+  /// @throws std::runtime_error as add() does, std::logic_error without a frame or after an error
   void finish();
 
  private:
@@ -65,7 +71,7 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Pictures in a video, as its index says; 0: it can't be read.
+/// Returns the number of pictures in a video, as its index says, or 0 where it cannot be read.
 int video_length(const std::filesystem::path& file);
 
 /// Decodes the pictures of a video one by one, to 8-bit sRGB-encoded RGB. (A still picture of a
@@ -79,7 +85,8 @@ class VideoReader {
   VideoReader(const VideoReader&) = delete;
   VideoReader& operator=(const VideoReader&) = delete;
 
-  /// The next picture; none after the last. @throws std::runtime_error as the constructor
+  /// Returns the next picture, or none after the last.
+  /// @throws std::runtime_error as the constructor does
   std::optional<Image> next();
 
  private:
@@ -87,25 +94,28 @@ class VideoReader {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Name and version of the H.264 encoder and of the libav libraries, for reports.
+/// Returns the name of the H.264 encoder, and the versions of libavcodec and libavformat, for
+/// reports.
 std::string encoder_info();
 
-/// Binary little-endian PLY of a triangle mesh: x y z [nx ny nz], faces. Normals are one per
-/// vertex, or none. @throws std::invalid_argument for another number, std::runtime_error naming the
-/// file.
+/// Writes a triangle mesh as binary little-endian PLY: x y z [nx ny nz] of each vertex, then the
+/// faces. Normals are one per vertex, or none.
+/// @throws std::invalid_argument for another number of normals, and for more than 2^31 - 1
+/// vertices; std::runtime_error naming the file and the reason
 void write_ply(const std::filesystem::path& file, const Mesh& mesh);
 
-/// Attributes of particles for write_ply; all spans are as long as `positions`, or empty.
+/// Attributes of particles for write_ply(); all spans are as long as `positions`, or empty.
 struct ParticleAttributes {
   std::span<const glm::vec3> positions;         ///< m
   std::span<const glm::vec3> velocities;        ///< m/s
   std::span<const float> densities;             ///< kg/m³
   std::span<const float> pressures;             ///< Pa
-  std::span<const std::uint32_t> numbers = {};  ///< of the particles, each its own
+  std::span<const std::uint32_t> numbers = {};  ///< number of each particle, all different
 };
 
-/// Binary little-endian PLY of particles: x y z [vx vy vz] [density] [pressure] [id].
-/// @throws std::invalid_argument for spans of unequal length, std::runtime_error naming the file.
+/// Writes particles as binary little-endian PLY: x y z [vx vy vz] [density] [pressure] [id].
+/// @throws std::invalid_argument for spans of unequal length, std::runtime_error naming the file
+/// and the reason
 void write_ply(const std::filesystem::path& file, const ParticleAttributes& particles);
 
 }  // namespace spindrift::output

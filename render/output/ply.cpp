@@ -1,5 +1,5 @@
-// PLY as described by Greg Turk, "The PLY Polygon File Format" (1994): a text header, then the
-// elements in binary, little-endian, without padding.
+// Writes PLY as described by Greg Turk, "The PLY Polygon File Format" (1994): a text header, then
+// the elements in binary, little-endian, without padding.
 
 #include <bit>
 #include <cstddef>
@@ -35,7 +35,7 @@ std::string header_begin() {
   return "ply\nformat binary_little_endian 1.0\ncomment written by spindrift\n";
 }
 
-// True if the attribute is there; it is then as long as the positions.
+// Returns whether an attribute is there; throws where it is then not as long as the positions.
 bool present(std::size_t size, std::size_t expected, const char* name) {
   if (size != 0 && size != expected) {
     throw std::invalid_argument("write_ply: " + std::to_string(size) + " " + name + " for " +

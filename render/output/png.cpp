@@ -1,5 +1,6 @@
-// PNG through stb: stb filters the rows and lays out the file, libdeflate compresses it (many times
-// faster than stb's own compressor, and smaller). stb writes no colour tag, so it is put in here.
+// Writes and reads PNG through stb: stb filters the rows and lays out the file, libdeflate
+// compresses it (many times faster than stb's own compressor, and smaller). stb writes no colour
+// tag, so it is put in here.
 
 #include <libdeflate.h>
 
@@ -22,7 +23,8 @@
 
 namespace {
 
-// Measured on a water-like frame of 1280x720 pixels, one core of a 2021 Xeon, whole write_png():
+// Time of a whole write_png() and size of the file, measured on a water-like frame of 1280x720
+// pixels with one core of a 2021 Xeon:
 //   filter "up":      level 1: 10 ms, 430 KiB   level 3: 15 ms, 407 KiB   level 6: 32 ms, 388 KiB
 //   filter "sub":     level 1: 11 ms, 439 KiB
 //   filter "Paeth":   level 1: 13 ms, 435 KiB
@@ -30,7 +32,7 @@ namespace {
 constexpr int filter_up = 2;
 constexpr int compression_level = 1;
 
-// stb takes the result over and frees it with free().
+// Compresses data for stb, which takes over the result and frees it with free().
 unsigned char* deflate_for_stb(const unsigned char* data, int size, int* compressed_size,
                                int /*quality*/) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
@@ -71,10 +73,11 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// The signature (8 bytes) and the IHDR chunk (4 length, 4 type, 13 data, 4 checksum).
+// The colour tag follows the signature (8 bytes) and the IHDR chunk (4 length, 4 type, 13 data,
+// 4 checksum).
 constexpr std::size_t bytes_before_colour_tag = 8 + 4 + 4 + 13 + 4;
 
-// An sRGB chunk: length 1, type, rendering intent 0 (perceptual), checksum of type and data.
+// Returns an sRGB chunk: length 1, type, intent 0 (perceptual), checksum of type and data.
 std::array<std::byte, 13> srgb_chunk() {
   std::array<unsigned char, 13> chunk = {0, 0, 0, 1, 's', 'R', 'G', 'B', 0};
   const std::uint32_t checksum = libdeflate_crc32(0, chunk.data() + 4, 5);
@@ -83,9 +86,9 @@ std::array<std::byte, 13> srgb_chunk() {
   return std::bit_cast<std::array<std::byte, 13>>(chunk);
 }
 
-/// As stb lays it out, without the colour tag.
+/// Returns the PNG as stb lays it out, without the colour tag.
 Bytes encode(const Image& image) {
-  // Set once, before the first use; stb takes it from a global of this file.
+  // The filter is set once, before its first use; stb takes it from a global of this file.
   [[maybe_unused]] static const int filter = stbi_write_force_png_filter = filter_up;
   Bytes png;
   const auto take = [](void* context, void* data, int size) {
@@ -99,7 +102,7 @@ Bytes encode(const Image& image) {
   return png;
 }
 
-/// A big-endian number of four bytes, as PNG has them.
+/// Returns the number that is stored in four bytes, big-endian, as all numbers in PNG are.
 std::uint32_t number_at(std::string_view png, std::size_t place) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -107,14 +110,14 @@ std::uint32_t number_at(std::string_view png, std::size_t place) {
   return number;
 }
 
-/// A chunk is a length (4 bytes), a type (4), data and a checksum (4).
+/// A chunk of a PNG. As a whole it is a length (4 bytes), a type (4), data and a checksum (4).
 struct Chunk {
   std::string_view type, whole;
 };
 
 constexpr std::size_t signature = 8, chunk_without_data = 12;  // bytes
 
-/// Calls `look` with each chunk, up to one that ends after the file.
+/// Calls `look` with each chunk, up to and including one that is cut off by the end of the file.
 template <class Look>
 void for_each_chunk(std::string_view png, const Look& look) {
   for (std::size_t at = signature; at + chunk_without_data <= png.size();) {
@@ -130,8 +133,9 @@ bool has_chunk(std::string_view png, std::string_view type) {
   return found;
 }
 
-/// PNG allows chunks of pixels without any data. For those before the first that has some, stb
-/// copies no bytes to a null pointer, which C++ leaves undefined: so they are left out.
+/// Returns the PNG without those chunks of pixels (IDAT) that hold no data, which PNG allows. For
+/// such chunks before the first with data, stb copies zero bytes to a null pointer, which C++
+/// leaves undefined.
 std::string without_empty_pixel_chunks(std::string_view png) {
   std::string kept(png.substr(0, signature));
   kept.reserve(png.size());
@@ -142,13 +146,14 @@ std::string without_empty_pixel_chunks(std::string_view png) {
   return kept;
 }
 
-/// Refuses, before memory is taken for them, more pixels than are accepted or than the file can
-/// hold, and chunks longer than the file. @return the reason; empty: none
+/// Returns the reason for which a PNG is refused before memory is taken for its pixels, or an empty
+/// text: there are more pixels than are accepted or than the file can hold, or a chunk is longer
+/// than the file.
 std::string why_refused(std::string_view png) {
-  // Places of IHDR's values in the file, and how many channels each of its colour types has.
+  // Byte offsets of IHDR's values in the file, and the number of channels of each colour type.
   constexpr std::size_t width_at = 16, height_at = 20, depth_at = 24, colour_type_at = 25;
   constexpr std::array<std::uint64_t, 7> channels_by_type = {1, 0, 3, 1, 2, 0, 4};
-  constexpr std::uint64_t most_per_byte = 1032;  // that deflate makes out of one
+  constexpr std::uint64_t most_per_byte = 1032;  // most bytes that one byte can be inflated to
   if (png.size() < bytes_before_colour_tag || png.substr(12, 4) != "IHDR")
     return "it does not begin as a PNG does";
   const std::uint64_t width = number_at(png, width_at), height = number_at(png, height_at);
@@ -160,7 +165,7 @@ std::string why_refused(std::string_view png) {
   const auto colours = static_cast<unsigned char>(png[colour_type_at]);
   const std::uint64_t bits = static_cast<unsigned char>(png[depth_at]) *
                              (colours < channels_by_type.size() ? channels_by_type[colours] : 0);
-  // Without its last chunk, it ends within another, whose length is too large.
+  // A file without its last chunk, IEND, ends within another chunk, whose length is too large.
   return !has_chunk(png, "IEND") || width * height * bits / 8 > most_per_byte * png.size()
              ? "damaged or cut short"
              : "";

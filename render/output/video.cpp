@@ -1,5 +1,5 @@
-// H.264 in MP4 through libav: libswscale turns RGB into YUV, libavcodec (libx264) compresses,
-// libavformat lays out the file.
+// Writes H.264 in MP4 through libav: libswscale turns RGB into YUV, libavcodec (libx264)
+// compresses, libavformat lays out the file.
 
 extern "C" {
 #include <libavutil/imgutils.h>
@@ -22,20 +22,23 @@ extern "C" {
 namespace spindrift::output {
 namespace {
 
-// The bytes depend on the number of threads, so it is fixed, whatever the machine has. Four let the
-// encoder work beside the simulation of the next frame, and cost a single core 2 ms a frame.
+// Number of the encoder's threads. The encoded bytes depend on it, so it is fixed, whatever the
+// machine has. Four let the encoder work beside the simulation of the next frame, and cost a single
+// core 2 ms a frame.
 constexpr int threads = 4;
 
-// Measured on 60 water-like frames of 1280x720 pixels, quality 18, one core of a 2021 Xeon:
+// Time and size per frame, measured on 60 water-like frames of 1280x720 pixels at quality 18 with
+// one core of a 2021 Xeon:
 //   superfast  9 ms, 12.0 KiB a frame     faster  24 ms, 7.9 KiB a frame
 //   veryfast  14 ms,  6.9 KiB a frame     medium  30 ms, 7.2 KiB a frame
 constexpr const char* preset = "veryfast";
 
-// To libx264 a factor of 0 is another mode, in a profile (High 4:4:4 Predictive) that browsers do
-// not play; the colours would have lost as much before, in the conversion to yuv420p.
+// Lowest constant rate factor in use. To libx264 a factor of 0 is another mode, in a profile (High
+// 4:4:4 Predictive) that browsers do not play; the colours would have lost as much before, in the
+// conversion to yuv420p.
 constexpr int best_rate_factor = 1;
 
-constexpr int seconds_between_key_frames = 2;  // how far a player has to decode after a jump
+constexpr int seconds_between_key_frames = 2;  // after a jump a player decodes this much at most
 
 void libav_check(int result, const std::filesystem::path& file, const char* doing) {
   if (result < 0) {
@@ -51,7 +54,8 @@ bool takes_yuv420p(const AVCodec& codec) {
   return false;
 }
 
-// libx264, or else any software encoder of H.264 (hardware ones differ from machine to machine).
+// Returns libx264, or else any software encoder of H.264 (hardware ones differ from machine to
+// machine), or null.
 const AVCodec* find_encoder() {
   if (const AVCodec* x264 = avcodec_find_encoder_by_name("libx264"))
     return x264;
@@ -105,12 +109,12 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   encoder->time_base = {rate.denominator, rate.numerator};
   encoder->gop_size = std::max(1, seconds_between_key_frames * rate.numerator / rate.denominator);
   encoder->thread_count = threads;
-  // No version strings; the header once, in front, as MP4 wants it.
+  // No version strings are written, and the header comes once, in front, as MP4 wants it.
   encoder->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
   if (std::string(codec.name) == "libx264") {
     av_opt_set(encoder->priv_data, "preset", preset, 0);
     av_opt_set_double(encoder->priv_data, "crf", std::max(best_rate_factor, settings.quality), 0);
-    // The same choice of algorithms on every CPU.
+    // The encoder chooses the same algorithms on every CPU.
     av_opt_set(encoder->priv_data, "x264-params", "cpu-independent=1", 0);
   } else {
     encoder->qmin = settings.quality;
@@ -120,7 +124,8 @@ Owned<AVCodecContext> open_encoder(const AVCodec& codec, const VideoSettings& se
   return encoder;
 }
 
-// With rows aligned as libav's vectors want them, and room behind the last one.
+// Makes a frame with its rows aligned as libav's vectors want them, and with room behind the last
+// one.
 Owned<AVFrame> make_frame(AVPixelFormat format, int width, int height) {
   Owned<AVFrame> frame = owned(av_frame_alloc());
   frame->format = format;
@@ -141,7 +146,8 @@ Owned<AVFrame> make_encoded_frame(const AVCodecContext& encoder) {
   return frame;
 }
 
-// sRGB values in full range to BT.709 in limited range. libswscale takes BT.601 unless told.
+// Makes a converter from sRGB values in full range to BT.709 in limited range. libswscale takes
+// BT.601 unless told otherwise.
 Owned<SwsContext> make_converter(int width, int height) {
   constexpr int flags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
   Owned<SwsContext> converter =
@@ -165,11 +171,11 @@ struct VideoWriter::Impl {
   void add(const Image& image);
   void encode(const AVFrame* next);
   void finish();
-  // A call of libav that went wrong becomes a sentence with the name of the file.
+  // Throws for a call of libav that went wrong, in a sentence with the name of the file.
   void check(int result, const char* doing) const { libav_check(result, file.final_name(), doing); }
 
   VideoSettings settings;
-  AtomicFile file;  // libav writes it by its temporary name
+  AtomicFile file;  // libav opens it by its temporary name
   Owned<AVCodecContext> encoder;
   Owned<SwsContext> converter;
   Owned<AVFrame> rgb;  // a copy of the picture: libswscale reads a few bytes past its rows' ends
@@ -183,7 +189,7 @@ struct VideoWriter::Impl {
 
 VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& s)
     : settings(validated(s)), file(name), packet(owned(av_packet_alloc())) {
-  av_log_set_level(AV_LOG_FATAL);  // what goes wrong is said by our exceptions
+  av_log_set_level(AV_LOG_FATAL);  // exceptions say what goes wrong
   const AVCodec* codec = find_encoder();
   if (codec == nullptr)
     throw std::runtime_error("cannot write " + name.string() + ": " + no_encoder);
@@ -195,12 +201,12 @@ VideoWriter::Impl::Impl(const std::filesystem::path& name, const VideoSettings& 
 }
 
 void VideoWriter::Impl::open_muxer() {
-  // "file:" lest a colon in the path be read as a protocol.
+  // The prefix "file:" keeps a colon in the path from being read as the end of a protocol.
   const std::string url = "file:" + file.temporary_name().string();
   AVFormatContext* allocated = nullptr;
   check(avformat_alloc_output_context2(&allocated, nullptr, "mp4", url.c_str()), "MP4 format");
   muxer.reset(allocated);
-  muxer->flags |= AVFMT_FLAG_BITEXACT;  // no dates, no version strings
+  muxer->flags |= AVFMT_FLAG_BITEXACT;  // writes no dates and no version strings
 
   stream = avformat_new_stream(muxer.get(), nullptr);
   if (stream == nullptr)
@@ -212,7 +218,7 @@ void VideoWriter::Impl::open_muxer() {
   check(avio_open(&muxer->pb, url.c_str(), AVIO_FLAG_WRITE), "opening");
   AVDictionary* options = nullptr;
   av_dict_set(&options, "movflags", "+faststart", 0);
-  // The default of milliseconds can't express most durations.
+  // Milliseconds, the default unit of time, cannot express most durations.
   const FrameRate rate = settings.frames_per_second;
   av_dict_set_int(&options, "movie_timescale",
                   rate.denominator == 1 ? rate.numerator * 1000 : rate.numerator, 0);
@@ -221,7 +227,7 @@ void VideoWriter::Impl::open_muxer() {
   check(result, "MP4 header");
 }
 
-// Hands one frame to the encoder, or the end (nullptr), and writes what comes out.
+// Hands one frame to the encoder, or the end of the video (nullptr), and writes what comes out.
 void VideoWriter::Impl::encode(const AVFrame* next) {
   check(avcodec_send_frame(encoder.get(), next), "encoding");
   for (;;) {

@@ -6,13 +6,13 @@
 namespace spindrift::output {
 namespace {
 
-/// Containers that a video of its own comes in, and still pictures; playlists and the like, which
-/// are made of other files, are none.
+/// Formats that are accepted: containers that hold a whole video, and still pictures. Playlists and
+/// the like, which are made of other files, are not among them.
 constexpr const char* containers =
     "mov,matroska,avi,mpegts,mpeg,mpegvideo,m4v,h264,hevc,av1,ivf,flv,ogg,asf,mxf,nut,yuv4mpegpipe,"
     "gif,apng,jpeg_pipe,png_pipe,bmp_pipe,tiff_pipe,webp_pipe,ppm_pipe";
 
-/// For what a container names: no file is opened but the video's.
+/// Refuses to open whatever a container names, so that no file is opened but the video's own.
 int open_nothing(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary**) {
   return AVERROR(EPERM);
 }
@@ -20,7 +20,7 @@ int open_nothing(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary
 }  // namespace
 
 int VideoInput::open(const std::filesystem::path& file) {
-  // "file:" lest a colon in the path be read as a protocol.
+  // The prefix "file:" keeps a colon in the path from being read as the end of a protocol.
   const std::string url = "file:" + file.string();
   AVIOContext* bytes = nullptr;
   const int result = avio_open(&bytes, url.c_str(), AVIO_FLAG_READ);
@@ -32,7 +32,8 @@ int VideoInput::open(const std::filesystem::path& file) {
   opened->io_open = open_nothing;
   AVDictionary* options = nullptr;
   av_dict_set(&options, "format_whitelist", containers, 0);
-  const int found = avformat_open_input(&opened, url.c_str(), nullptr, &options);  // frees on error
+  // On an error this frees `opened` and sets it to null.
+  const int found = avformat_open_input(&opened, url.c_str(), nullptr, &options);
   av_dict_free(&options);
   demuxer_.reset(opened);
   return found;

@@ -1,4 +1,4 @@
-// A video's file, opened through libavformat.
+// Opens video files through libavformat, for the readers of videos.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace spindrift::output {
 
-/// Reads a container with what is in it. Nothing but the file itself is opened, whatever it names:
-/// playlists are no videos.
+/// A video file that is open for reading. Nothing but the file itself is opened, whatever it names;
+/// a playlist is not accepted as a video.
 class VideoInput {
  public:
-  /// @param file a regular one
-  /// @return an error of libav, below 0, or another number
+  /// @param file a regular file; opening a pipe would wait for a writer
+  /// @return an error number of libav, which is below 0, or 0 or more on success
   int open(const std::filesystem::path& file);
 
   AVFormatContext* demuxer() const { return demuxer_.get(); }

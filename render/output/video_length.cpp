@@ -1,4 +1,4 @@
-// How long a video is, from what its file says, without decoding it.
+// Tells how long a video is from what its file says, without decoding it.
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
-// Videos to pictures through libav: libavformat reads the file, libavcodec decompresses, libswscale
-// turns what comes out into RGB.
+// Decodes videos to pictures through libav: libavformat reads the file, libavcodec decompresses,
+// libswscale turns what comes out into RGB.
 
 extern "C" {
 #include <libavutil/pixdesc.h>
@@ -21,8 +21,8 @@ extern "C" {
 namespace spindrift::output {
 namespace {
 
-/// Videos that do not say what their colours are: those of high definition are BT.709, smaller ones
-/// BT.601.
+/// Returns the colour space of a frame. Where a video does not say it, high definition (720 rows or
+/// more) is taken for BT.709, smaller pictures for BT.601.
 int color_space_of(const AVFrame& frame) {
   if (frame.colorspace == AVCOL_SPC_UNSPECIFIED)
     return frame.height >= 720 ? SWS_CS_ITU709 : SWS_CS_ITU601;
@@ -33,7 +33,7 @@ int color_space_of(const AVFrame& frame) {
 
 struct VideoReader::Impl {
   explicit Impl(const std::filesystem::path& name) : file(name), packet(owned(av_packet_alloc())) {
-    av_log_set_level(AV_LOG_QUIET);  // what goes wrong is said by our exceptions
+    av_log_set_level(AV_LOG_QUIET);  // exceptions say what goes wrong
     open_file();
     open_decoder();
   }
@@ -54,7 +54,8 @@ struct VideoReader::Impl {
     find_streams();
   }
 
-  /// Some containers do not say at their beginning what they hold; then pictures are decoded here.
+  /// Finds out what the file holds. Some containers do not say it at their beginning; then pictures
+  /// are decoded here, so that their size is limited here too.
   void find_streams() {
     std::vector<AVDictionary*> options(input.demuxer()->nb_streams);
     for (AVDictionary*& of_stream : options)
@@ -144,7 +145,7 @@ struct VideoReader::Impl {
     sws_setColorspaceDetails(converter.get(), sws_getCoefficients(color_space_of(frame)),
                              frame.color_range == AVCOL_RANGE_JPEG,
                              sws_getCoefficients(SWS_CS_ITU709), full, 0, one, one);
-    // Rows with room behind them, which libswscale may write into.
+    // The rows have room behind them, which libswscale may write into.
     Owned<AVFrame> converted = owned(av_frame_alloc());
     converted->format = format;
     converted->width = frame.width;
