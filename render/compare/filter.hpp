@@ -1,4 +1,5 @@
-// Separable filters of planes, row by row. Beyond its edges a plane repeats them.
+// Filters planes of pixels with separable filters, row by row, for the metrics. Beyond its edges a
+// plane repeats them.
 //
 // Real is float, or double where small differences of large sums are wanted.
 #pragma once
@@ -13,18 +14,19 @@ namespace spindrift::compare {
 template <class Real>
 using Taps = std::vector<Real>;
 
-/// Rows are padded to a multiple of this.
+/// The length of every row is padded to a multiple of this number of values.
 inline constexpr int row_multiple = 8;
 
-/// Numbers that are worked on at once, 32 bytes: one register with AVX, two with SSE.
+/// A vector of numbers that are worked on at once, 32 bytes: one register with AVX, two with SSE.
 template <class Real>
 using Lanes __attribute__((vector_size(32))) = Real;
 
+/// Returns the width rounded up to a multiple of row_multiple.
 inline int padded_width(int width) {
   return (width + row_multiple - 1) / row_multiple * row_multiple;
 }
 
-/// One value per pixel. Rows are padded, so that they can be read in whole lanes.
+/// A plane of one value per pixel. Rows are padded, so that they can be read in whole lanes.
 template <class Real>
 class Plane {
  public:
@@ -33,7 +35,7 @@ class Plane {
         stride_(padded_width(width)),
         values_(static_cast<std::size_t>(stride_) * height) {}
 
-  /// The row of that number, or the nearest one.
+  /// Returns row y, or the row nearest to it where y lies outside the plane.
   Real* row(int y) { return &values_[index(y)]; }
   const Real* row(int y) const { return &values_[index(y)]; }
 
@@ -46,7 +48,8 @@ class Plane {
   std::vector<Real> values_;
 };
 
-/// out[x] = the sum of weights times what `at(k)` points to, k counting the taps from 0.
+/// Sets out[x] for x = 0 ... count - 1 to the sum over all taps k, counted from 0, of
+/// taps[k] * at(k)[x]. `count` is rounded up to whole lanes, for which all rows must have room.
 template <class Real, class At>
 void weighted_sum(const Taps<Real>& taps, const At& at, int count, Real* out) {
   for (int x = 0; x < count; x += int(sizeof(Lanes<Real>) / sizeof(Real))) {
@@ -60,7 +63,7 @@ void weighted_sum(const Taps<Real>& taps, const At& at, int count, Real* out) {
   }
 }
 
-/// A row filtered across the rows around it, and then along itself.
+/// Filters one row of a plane, first across the rows around it, and then along itself.
 template <class Real>
 class RowFilter {
  public:
@@ -79,7 +82,7 @@ class RowFilter {
     std::fill(row + width_, padded_.data() + padded_.size(), row[width_ - 1]);
   }
 
-  /// The row filtered along itself; `out` has room for whole lanes.
+  /// Writes the row, filtered along itself, to `out`, which has room for padded_width() values.
   void filter(const Taps<Real>& taps, Real* out) const {
     const Real* const first = &padded_[margin] - taps.size() / 2;
     weighted_sum(
@@ -87,7 +90,7 @@ class RowFilter {
   }
 
  private:
-  static constexpr int margin = 16;  ///< the longest filters reach 10 pixels
+  static constexpr int margin = 16;  ///< pixels at either end; the longest filters reach 10
 
   int width_, stride_;
   std::vector<Real> padded_;

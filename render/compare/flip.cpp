@@ -1,5 +1,5 @@
-// FLIP of pictures of low dynamic range. Symbols and constants are those of Andersson et al.
-// (2020), sections 4.1 (colours) and 4.2 (edges and points).
+// Computes FLIP of pictures of low dynamic range. Symbols and constants are those of Andersson et
+// al. (2020), sections 4.1 (colours) and 4.2 (edges and points).
 
 #include <array>
 #include <cmath>
@@ -17,19 +17,20 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float pixels_per_degree = 67.f;
 
-// Linear sRGB to CIE XYZ (rows; IEC 61966-2-1), and the XYZ of white, illuminant D65.
+// Matrix from linear sRGB to CIE XYZ (IEC 61966-2-1), given by its rows, and the XYZ of white,
+// illuminant D65.
 constexpr glm::vec3 to_x{10135552.f / 24577794.f, 8788810.f / 24577794.f, 4435075.f / 24577794.f};
 constexpr glm::vec3 to_y{2613072.f / 12288897.f, 8788810.f / 12288897.f, 887015.f / 12288897.f};
 constexpr glm::vec3 to_z{1425312.f / 73733382.f, 8788810.f / 73733382.f, 70074185.f / 73733382.f};
 const glm::mat3 xyz_of_rgb = glm::transpose(glm::mat3(to_x, to_y, to_z));
 const glm::vec3 white = xyz_of_rgb * glm::vec3(1.f);
 
-/// Linear sRGB to XYZ relative to white, and back.
+/// Matrix from linear sRGB to XYZ relative to white, and its inverse.
 const glm::mat3 relative_xyz_of_rgb =
     glm::mat3(xyz_of_rgb[0] / white, xyz_of_rgb[1] / white, xyz_of_rgb[2] / white);
 const glm::mat3 rgb_of_relative_xyz = glm::inverse(relative_xyz_of_rgb);
 
-/// Linear light, 0 ... 1, of each 8-bit value (IEC 61966-2-1).
+/// Returns the linear light, 0 ... 1, of each 8-bit value (IEC 61966-2-1).
 const std::array<float, 256>& linear_of_srgb() {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> values{};
@@ -43,7 +44,8 @@ const std::array<float, 256>& linear_of_srgb() {
   return table;
 }
 
-/// CIELAB of XYZ relative to white, with the Hunt effect: colours fade in the dark (equation 4).
+/// Returns CIELAB of an XYZ relative to white, with the Hunt effect: colours fade in the dark
+/// (equation 4).
 glm::vec3 hunt_lab(const glm::vec3& xyz) {
   constexpr float delta = 6.f / 29.f;
   const auto f = [](float t) {
@@ -54,13 +56,15 @@ glm::vec3 hunt_lab(const glm::vec3& xyz) {
   return {lightness, 0.01f * lightness * 500.f * (fx - fy), 0.01f * lightness * 200.f * (fy - fz)};
 }
 
-/// Distance for large differences of colour (Abasi et al. 2019), raised to q_c.
+/// Returns the distance of two colours in CIELAB, a measure for large differences (Abasi et al.
+/// 2019), raised to the power q_c.
 float hyab_power(const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 d = a - b;
   return std::pow(std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z), 0.7f);
 }
 
-/// The distances of most colours take most of the range (equation 6).
+/// Maps a distance of colours to 0 ... 1, so that the distances of most colours take most of that
+/// range (equation 6).
 float redistributed(float error) {
   static const float largest = hyab_power(hunt_lab(relative_xyz_of_rgb * glm::vec3(0, 1, 0)),
                                           hunt_lab(relative_xyz_of_rgb * glm::vec3(0, 0, 1)));
@@ -69,7 +73,7 @@ float redistributed(float error) {
   return error < knee ? p_t / knee * error : p_t + (error - knee) / (largest - knee) * (1.f - p_t);
 }
 
-/// A 1-D filter from its weight at a distance in pixels.
+/// Returns a 1-D filter, given its weight as a function of the distance in pixels.
 template <class Weight>
 Taps<float> taps_of(int radius, const Weight& weight) {
   Taps<float> taps;
@@ -89,9 +93,10 @@ Taps<float> scaled_to_one(Taps<float> taps) {
   return taps;
 }
 
-/// Gaussian of the eye's contrast sensitivity, exp(-pi² d² / b) with d in degrees (equation 2).
+/// Returns the Gaussian of the eye's contrast sensitivity, exp(-pi² d² / b) with d in degrees
+/// (equation 2).
 Taps<float> sensitivity(float b) {
-  // 3 standard deviations of the widest.
+  // All filters reach as far as 3 standard deviations of the widest, whose b is 0.04.
   const int radius =
       static_cast<int>(std::ceil(3.f * std::sqrt(0.04f / (2.f * pi * pi)) * pixels_per_degree));
   return taps_of(radius, [&](float k) {
@@ -100,7 +105,7 @@ Taps<float> sensitivity(float b) {
   });
 }
 
-/// Positive weights add up to 1, negative ones to -1.
+/// Scales positive weights so that they add up to 1, negative ones so that they add up to -1.
 Taps<float> scaled_by_sign(Taps<float> taps) {
   float positive = 0, negative = 0;
   for (const float tap : taps)
@@ -110,17 +115,17 @@ Taps<float> scaled_by_sign(Taps<float> taps) {
   return taps;
 }
 
-/// What the eye lets through, and what finds edges and points.
+/// The filters that model what the eye lets through, and those that find edges and points.
 struct Filters {
   Taps<float> achromatic = scaled_to_one(sensitivity(0.0047f));
   Taps<float> red_green = scaled_to_one(sensitivity(0.0053f));
   Taps<float> blue_yellow = scaled_to_one(sensitivity(0.04f));
   Taps<float> blue_yellow_narrow = scaled_to_one(sensitivity(0.025f));
-  float narrow_share;  ///< of blue_yellow_narrow in the sum of both
+  float narrow_share;  ///< share of blue_yellow_narrow in its sum with blue_yellow
   Taps<float> smooth, edge, point;
 
   Filters() {
-    // In two dimensions a sqrt(pi/b) exp(-pi² d² / b) adds up to this.
+    // Returns what a sqrt(pi/b) exp(-pi² d² / b) adds up to in two dimensions.
     const auto volume = [](float a, float b) {
       const float sum = sum_of(sensitivity(b));
       return a * std::sqrt(pi / b) * sum * sum;
@@ -128,7 +133,7 @@ struct Filters {
     const float wide = volume(34.1f, 0.04f), narrow = volume(13.5f, 0.025f);
     narrow_share = narrow / (wide + narrow);
 
-    const float sigma = 0.5f * 0.082f * pixels_per_degree;  // of a width of 0.082 degrees
+    const float sigma = 0.5f * 0.082f * pixels_per_degree;  // half a width of 0.082 degrees
     const int radius = static_cast<int>(std::ceil(3.f * sigma));
     const auto gaussian = [&](float k) { return std::exp(-k * k / (2.f * sigma * sigma)); };
     smooth = scaled_to_one(taps_of(radius, gaussian));
@@ -202,7 +207,7 @@ class SeenRow {
     }
   }
 
-  /// Length of the derivative in both directions.
+  /// Sets `out` to the length of the vector of the derivatives of luminance along and across rows.
   void strength(const Opponent& picture, int y, const Taps<float>& derivative,
                 std::vector<float>& out) {
     filter(picture.y, y, filters_.smooth, derivative, along_);

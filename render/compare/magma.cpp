@@ -11,7 +11,7 @@ namespace {
 using Color = std::array<std::uint8_t, 3>;
 
 // Every sixteenth colour of "magma" by Nathaniel Smith and Stéfan van der Walt (matplotlib, 2015,
-// CC0); in between it is within 2.3 of 255 of the original.
+// CC0); colours interpolated between these are within 2.3 of 255 of the original.
 constexpr std::array<Color, 17> colors{{{0, 0, 4},
                                         {10, 8, 34},
                                         {29, 17, 71},

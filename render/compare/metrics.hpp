@@ -1,5 +1,5 @@
-// How far two pictures are apart: PSNR, SSIM, FLIP and the share of pixels that changed. All are
-// the same with the pictures exchanged, and the same for every thread count.
+// Measures how far two pictures are apart: PSNR, SSIM, FLIP and the share of pixels that changed.
+// All metrics are the same with the pictures exchanged, and the same for every thread count.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace spindrift::compare {
 
-/// Of 255: a pixel has changed where one of its channels is off by more.
+/// Threshold beyond which a pixel has changed: the largest difference of its channels, of 255.
 inline constexpr int default_threshold = 16;
 
 /// The percentiles that are reported of FLIP.
@@ -25,8 +25,8 @@ struct FlipSummary {
 
 /// How far one pair of pictures, or many together, are apart.
 struct Metrics {
-  double psnr =
-      0;  ///< peak signal-to-noise ratio over all channels, dB; infinite for equal pictures
+  /// Peak signal-to-noise ratio over all channels, dB; infinite for equal pictures.
+  double psnr = 0;
   double ssim = 0;  ///< structural similarity of luma, mean over pictures; 1 for equal pictures
   FlipSummary flip;
   double changed = 0;  ///< share of the pixels beyond the threshold, 0 ... 1
@@ -35,12 +35,15 @@ struct Metrics {
 /// Sums of one or more pairs of pictures, from which their metrics follow.
 class Tally {
  public:
-  /// Counts a pair of pictures, given what was found of each pixel and of the pair.
-  /// @param flip FLIP of every pixel, 0 ... 1
-  /// @param ssim of the pair
+  /// Adds a pair of pictures of the same size.
+  /// @param flip      FLIP of every pixel, 0 ... 1
+  /// @param ssim      mean structural similarity of the pair
+  /// @param threshold largest difference of channels, of 255, at which a pixel has not changed
   void add(const Image& a, const Image& b, const std::vector<float>& flip, double ssim,
            int threshold);
+  /// Adds all pairs of another tally.
   void add(const Tally& more);
+  /// Returns the metrics of all pairs together.
   /// @throws std::logic_error where nothing was added
   Metrics metrics() const;
 
@@ -57,30 +60,32 @@ class Tally {
   std::vector<std::int64_t> flip_histogram_ = std::vector<std::int64_t>(flip_bins + 1);
 };
 
-/// A compared pair: its sums, and FLIP of every pixel, rows from top to bottom.
+/// What compare() finds about a pair of pictures.
 struct Comparison {
-  Tally tally;
-  std::vector<float> flip;
+  Tally tally;              ///< the pair's sums
+  std::vector<float> flip;  ///< FLIP of every pixel, rows from top to bottom
 };
 
-/// All metrics of a pair. @throws std::invalid_argument for pictures that are empty or differ in
-/// size
+/// Compares a pair of pictures by all metrics.
+/// @throws std::invalid_argument for pictures that are empty or differ in size
 Comparison compare(const Image& a, const Image& b, int threshold = default_threshold);
 
-/// FLIP of every pixel: Andersson et al., "FLIP: A Difference Evaluator for Alternating Images",
-/// Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020; for pictures of low dynamic range, seen
-/// with 67 pixels per degree (a 0.7 m wide screen of 3840 pixels from 0.7 m). @throws as compare()
+/// Returns FLIP of every pixel, rows from top to bottom: Andersson et al., "FLIP: A Difference
+/// Evaluator for Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020; for
+/// pictures of low dynamic range, seen with 67 pixels per degree (a 0.7 m wide screen of 3840
+/// pixels from 0.7 m).
+/// @throws std::invalid_argument as compare() does
 std::vector<float> flip(const Image& a, const Image& b);
 
-/// Mean structural similarity: Wang et al., "Image Quality Assessment: From Error Visibility to
-/// Structural Similarity", IEEE Trans. Image Process. 13(4), 2004; of luma (BT.601), with a
-/// Gaussian of sigma 1.5 in windows of 11x11 pixels, over the windows that lie wholly in the
+/// Returns the mean structural similarity: Wang et al., "Image Quality Assessment: From Error
+/// Visibility to Structural Similarity", IEEE Trans. Image Process. 13(4), 2004; of luma (BT.601),
+/// with a Gaussian of sigma 1.5 in windows of 11x11 pixels, over the windows that lie wholly in the
 /// picture (in pictures of less than 11 pixels, the middle ones, with edges repeated outwards).
-/// @throws as compare()
+/// @throws std::invalid_argument as compare() does
 double ssim(const Image& a, const Image& b);
 
-/// Values 0 ... 1 in the colour map "magma", black to light yellow. It grows in lightness
-/// throughout.
+/// Returns a picture of values 0 ... 1, rows from top to bottom, in the colour map "magma": from
+/// black to light yellow, growing in lightness throughout.
 Image magma(const std::vector<float>& values, int width, int height);
 
 }  // namespace spindrift::compare

@@ -1,4 +1,5 @@
-// Structural similarity. Symbols and constants are those of Wang et al. (2004), section III.
+// Computes structural similarity, with the symbols and constants of Wang et al. (2004), section
+// III.
 
 #include <cmath>
 
@@ -9,7 +10,7 @@
 namespace spindrift::compare {
 namespace {
 
-constexpr int radius = 5;  // of windows, pixels
+constexpr int radius = 5;  // radius of the windows, pixels
 
 Taps<double> gaussian() {
   Taps<double> taps;
@@ -21,12 +22,12 @@ Taps<double> gaussian() {
   return taps;
 }
 
-/// BT.601 luma of a pixel, 0 ... 1.
+/// Returns the BT.601 luma of a pixel, 0 ... 1.
 double luma(const std::uint8_t* pixel) {
   return (0.299 * pixel[0] + 0.587 * pixel[1] + 0.114 * pixel[2]) / 255.;
 }
 
-/// Similarity of two windows by their means of x, y, x² + y² and xy (equation 13).
+/// Returns the similarity of two windows, given their means of x, y, x² + y² and xy (equation 13).
 double similarity(double x, double y, double squares, double product) {
   constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
   const double covariance = product - x * y, variances = squares - (x * x + y * y);
@@ -53,7 +54,8 @@ double ssim(const Image& a, const Image& b) {
     }
   }
 
-  // Windows that lie wholly in the picture; of a small picture, those in its middle.
+  // The mean is over the windows that lie wholly in the picture; in a small picture, over those in
+  // its middle.
   const int left = std::min(radius, (w - 1) / 2), top = std::min(radius, (h - 1) / 2);
   std::vector<double> row_sums(std::size_t(h), 0.);
 #pragma omp parallel
