@@ -1,4 +1,5 @@
-// What is drawn on: the picture, the picture behind the liquid, and multisampled buffers.
+// Owns what is drawn on: the finished picture, the picture behind the liquid, and multisampled
+// buffers.
 #pragma once
 
 #include "render/gl/gl_objects.hpp"
@@ -9,10 +10,11 @@ namespace spindrift::gl {
 /// The finished picture: one sample per pixel, sRGB-encoded.
 class Picture {
  public:
-  /// @throws std::runtime_error when the driver cannot hold a picture of this size.
+  /// @param width, height pixels
+  /// @throws std::runtime_error when the driver cannot hold a picture of this size
   Picture(int width, int height);
 
-  /// Makes it the target of what is drawn from now on.
+  /// Makes this picture the target of what is drawn from now on.
   void bind() const;
   /// Reads the picture back, top row first.
   Image read() const;
@@ -28,13 +30,15 @@ class Picture {
   Framebuffer target_;
 };
 
-/// The picture without the liquid, one sample per pixel, to be seen through the liquid.
+/// The picture without the liquid, one sample per pixel, which is seen through the liquid.
 class Behind {
  public:
+  /// @param width, height pixels
+  /// @throws std::runtime_error when the driver cannot hold a picture of this size
   Behind(int width, int height);
-  /// Starts it as a copy of `picture` and makes it the target of what is drawn from now on.
+  /// Makes this a copy of `picture`, and the target of what is drawn from now on.
   void begin(const Picture& picture) const;
-  /// The picture's bytes: sRGB-encoded colours that are not decoded on reading.
+  /// The picture's bytes as a texture: sRGB-encoded colours that are not decoded on reading.
   const TextureView& encoded() const { return encoded_; }
 
  private:
@@ -45,16 +49,18 @@ class Behind {
   Framebuffer target_;
 };
 
-/// Four samples per pixel of something and of its depth.
+/// A multisampled target: four samples per pixel of a value, such as a colour, and of depth.
 class Samples {
  public:
-  /// @throws std::runtime_error when the driver cannot hold a picture of this size.
+  /// @param format        OpenGL's internal format of the values
+  /// @param width, height pixels
+  /// @throws std::runtime_error when the driver cannot hold a picture of this size
   Samples(GLenum format, int width, int height);
 
-  /// Makes them the target of what is drawn from now on, with nothing on them. The colours are left
-  /// as they are.
+  /// Makes these samples the target of what is drawn from now on. Their depth is cleared; their
+  /// values are left as they are.
   void begin() const;
-  /// Fills the picture with the averages.
+  /// Fills the picture with the average of each pixel's samples.
   void resolve(const Picture& picture) const;
 
   const MultisampleTexture& values() const { return values_; }

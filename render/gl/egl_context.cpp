@@ -18,7 +18,7 @@ namespace spindrift::gl {
 
 namespace {
 
-/// Is `name` one of the words of an extension string (which may be null)?
+/// Returns whether `name` is one of the words of an extension string, which may be null.
 bool has_extension(const char* extensions, std::string_view name) {
   std::string_view rest = extensions ? extensions : "";
   while (!rest.empty()) {
@@ -35,15 +35,16 @@ Function egl_function(const char* name) {
   return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-constexpr std::size_t mesa_address_space = std::size_t{512}
-                                           << 20;  // bytes; it crashed with 310 MiB
+/// Address space without which Mesa is not started, bytes; it crashed with 310 MiB.
+constexpr std::size_t mesa_address_space = std::size_t{512} << 20;
 
+/// An EGL display, and the words in which reports name it.
 struct Display {
   EGLDisplay display;
-  std::string name;  ///< in words
+  std::string name;
 };
 
-/// All EGL devices of this machine.
+/// Returns all EGL devices of this machine.
 std::vector<EGLDeviceEXT> devices() {
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const bool enumerable = has_extension(client, "EGL_EXT_device_enumeration") ||
@@ -72,7 +73,7 @@ EglDevice described(EGLDeviceEXT device) {
   return result;
 }
 
-/// The displays to try, best first.
+/// Returns the displays to try, best first.
 std::vector<Display> displays(std::optional<int> cuda_device) {
   const auto get_display =
       egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -102,8 +103,8 @@ EglContext::EglContext(std::optional<int> cuda_device) {
   // wants to see that sets the variable.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
 
-  // Mesa does not come through all of its start without memory for the code that it makes and for
-  // its threads' stacks.
+  // Mesa does not survive its start without memory for the code that it makes and for its threads'
+  // stacks.
   if (const auto short_of = shortage(mesa_address_space))
     throw std::runtime_error(fmt::format("there is nothing to draw with: {}", *short_of));
   std::string reason;
@@ -130,7 +131,7 @@ std::string EglContext::try_display(EGLDisplay display) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0)
-    config = nullptr;  // EGL_NO_CONFIG_KHR: allowed where contexts need no config
+    config = nullptr;  // this is EGL_NO_CONFIG_KHR, allowed where contexts need no config
   const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                        4,
                                        EGL_CONTEXT_MINOR_VERSION,

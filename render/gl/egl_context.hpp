@@ -1,4 +1,4 @@
-// An OpenGL 4.5 core context on EGL, with no display, no window and no surface.
+// Owns an OpenGL 4.5 core context on EGL that needs no display server, no window and no surface.
 #pragma once
 
 #include <EGL/egl.h>
@@ -14,17 +14,19 @@ namespace spindrift::gl {
 /// that it is never terminated here.
 class EglContext {
  public:
-  /// @param cuda_device CUDA's number of the GPU that it computes on, if it does
+  /// Makes a context without making it current.
+  /// @param cuda_device CUDA's number of the GPU that it computes on; none where it does not
   /// @throws std::runtime_error saying what is at fault: a limit of the system, a variable of the
-  /// environment, or a library, with the Debian package that supplies it.
+  /// environment, or a library, with the Debian package that supplies it
   explicit EglContext(std::optional<int> cuda_device);
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  /// The context is current on this thread for as long as the object lives.
+  /// Makes a context current on this thread for as long as the object lives.
   class Current {
    public:
+    /// @throws std::runtime_error where the context cannot be made current
     explicit Current(const EglContext& context);
     ~Current();
     Current(const Current&) = delete;
@@ -34,12 +36,14 @@ class EglContext {
     EGLDisplay display_;
   };
 
+  /// EGL's vendor as the driver names it.
   std::string vendor() const;
-  /// Which device was taken, in words.
+  /// Says in words which device was taken.
   const std::string& device() const { return device_; }
 
  private:
-  /// Why this display cannot be used; empty when a context was made on it.
+  /// Tries to make the context on a display. Returns why the display cannot be used, or an empty
+  /// text when the context was made.
   std::string try_display(EGLDisplay display);
 
   EGLDisplay display_ = EGL_NO_DISPLAY;

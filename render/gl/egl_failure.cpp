@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Does a file here name a driver's EGL library to libglvnd (the dispatcher behind libEGL.so.1)?
+/// Returns whether a file in this folder names a driver's EGL library to libglvnd (the dispatcher
+/// behind libEGL.so.1).
 bool names_a_vendor(const char* folder) {
   std::error_code none;
   return std::any_of(fs::directory_iterator(folder, none), fs::directory_iterator(),

@@ -1,4 +1,4 @@
-// Why there is nothing to draw with, and what to do.
+// Explains why no EGL device can be drawn with, and what to do about it.
 #pragma once
 
 #include <string>
@@ -6,12 +6,14 @@
 
 namespace spindrift::gl {
 
-/// The variables of the environment that steer EGL and Mesa, as NAME=VALUE.
+/// Returns those variables of an environment that steer EGL and Mesa, as NAME=VALUE in alphabetical
+/// order; EGL_LOG_LEVEL, which steers messages only, is left out.
+/// @param environment texts NAME=VALUE, then a null pointer
 std::vector<std::string> steering_variables(const char* const* environment);
 
-/// One sentence about why no EGL context could be made: what the system gives too little of, or
+/// Says in one sentence why no EGL context could be made: what the system gives too little of, or
 /// which variable is set, or else which package is missing.
-/// @param reason of the last device that was tried; empty: there was none
+/// @param reason why the last device that was tried failed; empty where there was none
 std::string egl_failure(const std::string& reason);
 
 }  // namespace spindrift::gl

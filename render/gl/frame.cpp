@@ -10,9 +10,10 @@ namespace {
 
 /// Depth of liquid that gives white light the liquid's colour, in diagonals of the stage.
 constexpr float color_depth = 0.28f;
-/// The floor has faded into the backdrop at this distance, in diagonals of the stage.
+/// Distance at which the floor has faded into the backdrop, in diagonals of the stage.
 constexpr float floor_reach = 4.f;
-/// A light this flat or flatter throws no shadow: it would reach beyond any map.
+/// Least downward component of a light's unit direction with which it throws a shadow; that of a
+/// flatter light would reach beyond any map.
 constexpr float lowest_light = 0.2f;
 /// Room around a shadow for its soft rim, as a share of the map.
 constexpr float shadow_margin = 0.06f;
@@ -30,7 +31,7 @@ struct Camera {
 
 Camera camera_of(const View& view) {
   const glm::vec3 forward = glm::normalize(view.target - view.position);
-  // An up vector along the line of sight says nothing: take another.
+  // An up vector along the line of sight says nothing, so another is taken.
   const bool along = glm::length(glm::cross(forward, view.up)) < 1e-4f * glm::length(view.up);
   const glm::vec3 up = along ? glm::vec3(0.f, 0.f, -1.f) : view.up;
   const glm::vec3 right = glm::normalize(glm::cross(forward, up));

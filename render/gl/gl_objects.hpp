@@ -1,5 +1,5 @@
-// Owners of OpenGL objects: each deletes its object when it goes, and needs the context current
-// then.
+// Defines owners of OpenGL objects, and makes textures and programs. Each owner deletes its object
+// when it is destroyed; the context must be current then.
 #pragma once
 
 #ifndef GL_GLEXT_PROTOTYPES
@@ -15,7 +15,7 @@
 
 namespace spindrift::gl {
 
-/// Owns the name of one OpenGL object.
+/// Owns the name of one OpenGL object. `Kind` says how the object is created and destroyed.
 template <typename Kind>
 class Handle {
  public:
@@ -76,7 +76,7 @@ struct MultisampleTextureKind {
   static void destroy(GLuint id) { glDeleteTextures(1, &id); }
 };
 
-/// A name for glTextureView, which makes the texture.
+/// Only the name is created here; glTextureView then makes the texture.
 struct TextureViewKind {
   static GLuint create() {
     GLuint id = 0;
@@ -131,17 +131,19 @@ void upload(const Buffer& buffer, std::span<const T> values) {
                     GL_STREAM_DRAW);
 }
 
-/// A texture with one level, filtered linearly, clamped at its edges.
+/// Makes a texture with one level, filtered linearly, clamped at its edges.
+/// @param format        OpenGL's internal format
+/// @param width, height texels
 Texture make_texture(GLenum format, int width, int height);
 
 /// One GLSL file as it was embedded at build time.
 struct ShaderFile {
-  std::string_view name;  ///< as in shaders/
+  std::string_view name;  ///< file name in shaders/
   std::string_view text;
 };
 
 /// Compiles and links a vertex and a fragment shader, each behind shaders/common.glsl.
-/// @throws std::runtime_error with the file's name and the compiler's log.
+/// @throws std::runtime_error with the files' names and the compiler's or linker's log
 Program make_program(const ShaderFile& vertex, const ShaderFile& fragment);
 
 }  // namespace spindrift::gl

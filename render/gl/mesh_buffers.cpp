@@ -9,7 +9,7 @@ namespace spindrift::gl {
 
 namespace {
 
-/// Feeds an attribute of `components` floats from a buffer of nothing else.
+/// Feeds an attribute of `components` floats from a buffer that holds nothing else.
 void feed(const VertexArray& array, GLuint attribute, const Buffer& buffer, int components) {
   glVertexArrayVertexBuffer(array, attribute, buffer, 0,
                             components * static_cast<GLsizei>(sizeof(float)));

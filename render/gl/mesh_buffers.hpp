@@ -1,4 +1,4 @@
-// Geometry on the GPU's side: triangle meshes and particle clouds.
+// Holds the geometry that is drawn, triangle meshes and particle clouds, in OpenGL's buffers.
 #pragma once
 
 #include "render/gl/gl_objects.hpp"
@@ -6,12 +6,14 @@
 
 namespace spindrift::gl {
 
-/// A triangle mesh: attribute 0 is the vertex, attribute 1 its normal.
+/// A triangle mesh: to the shaders attribute 0 is the vertex, attribute 1 its normal.
 class MeshBuffers {
  public:
   MeshBuffers();
-  /// @throws std::invalid_argument when normals are missing or an index is out of range.
+  /// Replaces the mesh.
+  /// @throws std::invalid_argument when normals are missing or an index is out of range
   void set(const Mesh& mesh);
+  /// Draws the mesh with the program in use.
   void draw() const;
 
  private:
@@ -20,13 +22,17 @@ class MeshBuffers {
   GLsizei index_count_ = 0;
 };
 
-/// Particles: storage buffer 0 holds the centres, storage buffer 1 the values to colour by. Three
-/// vertices each, without attributes (one draw of many is faster than many instances).
+/// Particles: storage buffer 0 holds the centres, storage buffer 1 the values to colour by. Each
+/// particle is drawn as three vertices without attributes (one draw of many vertices is faster than
+/// many instances).
 class ParticleBuffers {
  public:
-  /// @throws std::invalid_argument when there is not one attribute per position.
+  /// Replaces the particles.
+  /// @throws std::invalid_argument when there is not one attribute per position
   void set(const ParticleCloud& cloud);
+  /// Draws the particles with the program in use.
   void draw() const;
+  /// Radius of the particles, m.
   float radius() const { return radius_; }
 
  private:

@@ -1,4 +1,4 @@
-// Particles as lit spheres.
+// Draws particles as lit spheres.
 #pragma once
 
 #include "render/gl/mesh_buffers.hpp"
@@ -8,7 +8,8 @@ namespace spindrift::gl {
 class ParticlePass {
  public:
   ParticlePass();
-  /// Attribute values from `low` to `high` run through the colour map.
+  /// Draws the particles on the bound target; attribute values from `low` to `high` run through the
+  /// colour map.
   void draw(const ParticleBuffers& particles, float low, float high) const;
 
  private:

@@ -47,7 +47,8 @@ struct Particles {
   ParticlePass pass;
 };
 
-/// All that lives in the context. What a scene does not use is never made.
+/// Draws pictures with all that lives in the OpenGL context. What a scene does not use is never
+/// made.
 class Drawing {
  public:
   Drawing(int width, int height, const LookSettings& look, const LightSettings& light,
@@ -72,7 +73,7 @@ class Drawing {
       }
     }
     if (casters_.min != before.min || casters_.max != before.max)
-      shadow_.reset();  // its area changes
+      shadow_.reset();  // the area that its map covers changes
     if (mesh.triangles.empty()) {
       obstacles_.reset();
       return;
@@ -137,7 +138,7 @@ class Drawing {
     glEnable(GL_DEPTH_TEST);
   }
 
-  /// The map of the light on the floor, or null when nothing shades it.
+  /// Draws the map of the light on the floor and returns it, or null when nothing shades the floor.
   const Texture* draw_shadow(const Mesh* liquid, const ParticleBuffers* particles) {
     const ShadowArea area = shadow_area(light_, stage_, casters_);
     const bool casts = liquid || particles || obstacles_;
@@ -164,7 +165,7 @@ class Drawing {
     return *wanted;
   }
 
-  /// Obstacles, without what is under a floor that can be seen.
+  /// Draws the obstacles, without what is under a floor that can be seen.
   void draw_obstacles(const View& view) const {
     if (obstacles_) {
       if (floor_is_seen(view))
@@ -175,7 +176,8 @@ class Drawing {
     }
   }
 
-  /// Draws what goes over all else, hidden by what `depth` says, and reads the picture.
+  /// Draws the edges of the domain box over all else, where nothing of a smaller `depth` hides
+  /// them, and reads the picture.
   Image finish(const MultisampleTexture& depth) {
     if (edges_) {
       picture_.bind();

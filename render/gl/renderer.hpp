@@ -1,5 +1,5 @@
-// Headless renderer: draws a liquid (mesh or particles), obstacles and the stage with OpenGL on
-// EGL.
+// Declares the headless renderer, which draws a liquid (mesh or particles), obstacles and the stage
+// with OpenGL on EGL.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,42 +14,47 @@
 
 namespace spindrift::gl {
 
-/// Where the eye is. A pinhole camera, right-handed world, y up.
+/// A pinhole camera, in a right-handed world with y pointing up.
 struct View {
-  glm::vec3 position{0.f, 1.f, 4.f};  ///< m
-  glm::vec3 target{0.f};              ///< m
-  glm::vec3 up{0.f, 1.f, 0.f};
-  float vertical_fov = 35.f;  ///< degrees, (5 ... 120)
+  glm::vec3 position{0.f, 1.f, 4.f};  ///< of the eye, m
+  glm::vec3 target{0.f};              ///< point in the picture's middle, m
+  glm::vec3 up{0.f, 1.f, 0.f};        ///< direction that points up in the picture
+  float vertical_fov = 35.f;          ///< vertical field of view, degrees, 5 ... 120
 };
 
 /// A directional light with a soft sky fill; it casts the shadow on the floor.
 struct LightSettings {
   glm::vec3 direction{-0.5f, -1.f, 0.3f};  ///< the way the light travels; normalised on use
   glm::vec3 color{1.f};                    ///< linear RGB
-  float intensity = 0.8f;                  ///< relative
+  float intensity = 0.8f;                  ///< factor of `color`, without unit
   float ambient = 0.5f;                    ///< sky fill, relative to the light
-  bool shadows = true;
+  bool shadows = true;                     ///< whether a shadow falls on the floor
 };
 
+/// How the liquid is drawn: as the mesh of its surface, or as its particles.
 enum class Style { mesh, particles };
+/// The attribute of particles that gives them their colours.
 enum class ColorBy { speed, density, pressure };
 
-/// How things look. Colours are sRGB in [0, 1]; they are linearised before shading.
+/// The look of everything in the picture. Colours are sRGB in [0, 1]; they are linearised before
+/// shading.
 struct LookSettings {
   Style style = Style::mesh;
   glm::vec3 liquid_color{0.16f, 0.47f, 0.72f};
   float shininess = 90.f;  ///< Phong exponent
   float specular = 0.5f;   ///< strength of the highlight, [0, 1]
+  /// Colours of the backdrop at the picture's top and bottom edges.
   glm::vec3 background_top{0.93f, 0.95f, 0.97f};
   glm::vec3 background_bottom{0.80f, 0.84f, 0.88f};
   glm::vec3 floor_color{0.86f, 0.87f, 0.88f};
-  bool floor = true;
-  bool walls = true;  ///< edges of the domain box
+  bool floor = true;  ///< whether the floor of the domain box is drawn
+  bool walls = true;  ///< whether the edges of the domain box are drawn
   glm::vec3 obstacle_color{0.78f, 0.72f, 0.64f};
   ColorBy color_by = ColorBy::speed;  ///< for particles
   float color_min = 0.f;              ///< attribute value at the low end of the colour map
-  float color_max = 0.f;         ///< value at the high end; equal to color_min: taken from the data
-  float particle_radius = 0.5f;  ///< in particle spacings
+  /// Attribute value at the high end; if it equals color_min, both are taken from the data.
+  float color_max = 0.f;
+  float particle_radius = 0.5f;  ///< radius of particles as drawn, in particle spacings
 };
 
 /// The domain box whose edges and floor are drawn, m.
@@ -61,37 +66,43 @@ struct Stage {
 /// Particles as lit spheres, coloured by one attribute per particle.
 struct ParticleCloud {
   std::span<const glm::vec3> positions;  ///< m
-  std::span<const float> attribute;      ///< as many as positions
-  float radius = 0.f;                    ///< m
+  std::span<const float> attribute;      ///< value to colour by, one per position
+  float radius = 0.f;                    ///< of the spheres, m
 };
 
-/// Owns the EGL display, the context and everything drawn with. Use it from one thread at a time.
+/// Draws pictures; owns the OpenGL context and everything that is drawn with. It may be used from
+/// one thread at a time.
 class Renderer {
  public:
-  /// @param cuda_device CUDA's number of the GPU that it computes on: the one to draw with, if it
-  /// can. None: the first that can
+  /// @param width, height pixels of the pictures
+  /// @param cuda_device   CUDA's number of the GPU that it computes on, which is drawn with if it
+  /// can be; without one, the first device that can
   /// @throws std::runtime_error with a sentence for people when no EGL device or no OpenGL 4.5 is
-  /// there.
+  /// there, std::invalid_argument for a size that is not positive or too large for the driver
   Renderer(int width, int height, const LookSettings& look, const LightSettings& light,
            const Stage& stage, std::optional<int> cuda_device = {});
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Solid obstacles, drawn in every picture until set again.
-  /// @param reach points that they may come to when they are set again: the shadow's map covers
-  /// those as well, so that it stays the same while obstacles move
+  /// Sets the solid obstacles that are drawn in every picture until they are set again. A mesh
+  /// without triangles removes them.
+  /// @param reach points that obstacles may come to when they are set again: the shadow map covers
+  /// those as well, so that its area stays the same while obstacles move, m
+  /// @throws std::invalid_argument when normals are missing or an index is out of range
   void set_obstacles(const Mesh& mesh, std::span<const glm::vec3> reach = {});
 
-  /// One picture: the stage, the obstacles and the liquid.
+  /// Draws one picture: the stage, the obstacles and the liquid.
+  /// @throws std::invalid_argument when the mesh lacks normals or has an index out of range, or
+  /// when there is not one attribute per particle
   Image draw(const Mesh& liquid, const View& view);
   Image draw(const ParticleCloud& liquid, const View& view);
 
-  /// What draws: GL renderer, version and EGL vendor, as strings of the driver, and which of the
-  /// machine's EGL devices it is.
+  /// What the pictures are drawn with: the driver's strings for OpenGL's renderer, OpenGL's version
+  /// and EGL's vendor, and in words which of the machine's EGL devices it is.
   struct Info {
     std::string renderer, version, egl_vendor, egl_device;
-    bool software = false;  ///< Mesa's llvmpipe or softpipe
+    bool software = false;  ///< whether the renderer is Mesa's llvmpipe or softpipe
   };
   const Info& info() const;
 

@@ -40,13 +40,14 @@ void ShadowSplat::add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     add(ab, bc, ca);
     return;
   }
-  // Sides that the light enters add their way to the floor, sides that it leaves subtract it.
+  // Triangles through which the light enters the liquid add their way to the floor, triangles
+  // through which it leaves subtract it.
   const glm::vec3 middle = (a + b + c) / 3.f;
   const float area = 0.5f * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
   const float amount = area * middle.z;
   if (!(middle.x >= 0.f && middle.y >= 0.f && middle.x < static_cast<float>(width_ - 1) &&
         middle.y < static_cast<float>(height_ - 1)))
-    return;  // outside of the map
+    return;  // the triangle lies outside the map
   const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
   const float right = amount * (middle.x - static_cast<float>(x)), left = amount - right;
   const float up = middle.y - static_cast<float>(y), down = 1.f - up;

@@ -10,7 +10,7 @@ namespace spindrift::gl {
 
 namespace {
 
-/// A triangle over the whole picture.
+/// Draws one triangle that covers the whole picture.
 void fill_picture(const Program& program, const VertexArray& no_attributes) {
   glUseProgram(program);
   glBindVertexArray(no_attributes);
@@ -19,12 +19,12 @@ void fill_picture(const Program& program, const VertexArray& no_attributes) {
   glEnable(GL_DEPTH_TEST);
 }
 
-/// A rectangle of pixels.
+/// A rectangle of pixels, from `low` up to, but not including, `high`.
 struct Part {
   glm::ivec2 low, high;
 };
 
-/// Where in the picture an area of the floor may be seen.
+/// Returns the part of the picture where an area of the floor may be seen.
 Part part_of_picture(const ShadowArea& area, const FrameUniforms& frame, glm::ivec2 size) {
   const Part all{{0, 0}, size};
   Part part{size, {0, 0}};
@@ -33,7 +33,7 @@ Part part_of_picture(const ShadowArea& area, const FrameUniforms& frame, glm::iv
                            (i & 2) ? area.max.y : area.min.y, 1.f);
     const glm::vec4 clip = frame.world_to_clip * corner;
     if (clip.z <= -clip.w)
-      return all;  // it reaches behind the eye
+      return all;  // the area reaches behind the eye
     const glm::vec2 place = glm::clamp(0.5f + 0.5f * glm::vec2(clip) / clip.w, 0.f, 1.f);
     const glm::ivec2 pixel(place * glm::vec2(size));
     part.low = glm::min(part.low, pixel - 1);

@@ -1,4 +1,4 @@
-// The stage: backdrop, floor, edges of the domain box.
+// Draws the stage: the backdrop, the floor, and the edges of the domain box.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,16 @@
 
 namespace spindrift::gl {
 
-/// Backdrop and floor: what fills the picture where nothing stands in front of it.
+/// The backdrop and the floor, which fill the picture where nothing stands in front of them.
 class Surroundings {
  public:
+  /// @param floor whether there is a floor
   explicit Surroundings(bool floor);
-  /// Fills what is being drawn on; to be drawn first. `shadow` is the light on the floor; null: all
-  /// of it arrives.
+  /// Fills the bound target, before anything else is drawn on it. `shadow` is the map of the light
+  /// on the floor; where it is null, all of the light arrives.
   void draw(const Texture* shadow) const;
-  /// Fills the picture with the same bytes. As long as the view is still, only the part that
-  /// `area` covers on the floor is drawn anew, the rest is kept.
+  /// Fills the picture with the same bytes as draw() would. As long as the view is still, only the
+  /// part that `area` covers on the floor is drawn anew; the rest is kept.
   void draw_on(const Picture& picture, const FrameUniforms& frame, const Texture* shadow,
                const ShadowArea& area);
 
@@ -24,14 +25,16 @@ class Surroundings {
   Program program_;
   VertexArray no_attributes_;
   Texture no_shadow_;
-  std::optional<FrameUniforms> last_;  ///< of the picture drawn last
-  std::optional<Texture> kept_;        ///< how `last_` looks without a shadow
+  std::optional<FrameUniforms> last_;  ///< uniforms of the picture that was drawn last
+  std::optional<Texture> kept_;        ///< that picture without a shadow
 };
 
+/// The edges of the domain box.
 class Edges {
  public:
   Edges();
-  /// Draws them on a finished picture; `depth` is that of all that stands on the stage.
+  /// Draws the edges on a finished picture, the bound target; `depth` is the depth of all that
+  /// stands on the stage and may hide them.
   void draw(const MultisampleTexture& depth) const;
 
  private:

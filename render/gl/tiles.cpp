@@ -5,7 +5,7 @@
 namespace spindrift::gl {
 
 namespace {
-constexpr int side = 16;  // pixels
+constexpr int side = 16;  // of a tile, pixels
 }  // namespace
 
 Tiles::Tiles(int width, int height)

@@ -1,5 +1,5 @@
-// The part of the picture that meshes cover, in square tiles: what is done once per pixel of a
-// surface is done there only.
+// Finds the part of the picture that meshes cover, in square tiles, so that what is done once per
+// pixel of a surface is done there only.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,18 @@
 
 namespace spindrift::gl {
 
+/// A set of the picture's tiles.
 class Tiles {
  public:
+  /// @param width, height pixels of the picture
   Tiles(int width, int height);
 
-  /// Starts with no tile.
+  /// Removes all tiles from the set.
   void clear();
   /// Adds all tiles that the mesh may touch.
   void add(const Mesh& mesh, const glm::mat4& world_to_clip);
-  /// Draws them as triangles; attribute 0 is the corner's place in the picture, in [-1, 1].
+  /// Draws the tiles of the set as triangles with the program in use; attribute 0 is the corner's
+  /// place in the picture, in [-1, 1].
   void draw();
 
  private:
