@@ -1,26 +1,27 @@
-// How many pictures a second of a video has, as an exact fraction.
+// Defines the frame rate of a video as an exact fraction.
 #pragma once
 
 #include <cmath>
 
 namespace spindrift {
 
-/// 30 a second, or 30000/1001 (NTSC).
+/// Pictures per second as a fraction: 30/1, say, or 30000/1001 (NTSC).
 struct FrameRate {
   constexpr FrameRate(int n = 30, int d = 1) : numerator(n), denominator(d) {}
 
   int numerator;    ///< pictures
-  int denominator;  ///< s
+  int denominator;  ///< s that these pictures last
 
-  /// Rounded, 1/s.
+  /// Returns the rate as a rounded number, 1/s.
   double per_second() const { return static_cast<double>(numerator) / denominator; }
 
-  /// When a picture is due, s; the first, number 0, at 0.
+  /// Returns the time at which a picture is due, s; picture 0, the first, is due at 0.
   double time_of(int picture) const {
     return static_cast<double>(picture) * denominator / numerator;
   }
 
-  /// The number of pictures that last so long, s; also that of the picture nearest to a time.
+  /// Returns the number of pictures that last `seconds`, rounded. This is also the number of the
+  /// picture that is due nearest to that time.
   int count_in(double seconds) const {
     return static_cast<int>(std::lround(seconds * numerator / denominator));
   }

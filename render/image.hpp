@@ -1,4 +1,4 @@
-// An 8-bit picture: what the renderer hands to the writers.
+// Defines the 8-bit picture that the renderer hands to the writers.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 
   Image() = default;
+  /// Makes a black picture of w x h pixels.
   Image(int w, int h) : width(w), height(h), pixels(static_cast<std::size_t>(w) * h * 3) {}
 };
 

@@ -1,4 +1,5 @@
-// An indexed triangle mesh: what the mesher hands to the renderer and to the mesh writer.
+// Defines the indexed triangle mesh that the surface reconstruction hands to the renderer and to
+// the mesh writer.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -13,7 +13,8 @@
 namespace spindrift {
 namespace {
 
-/// The limit that a user has set, as a shell names it; nothing where there is none.
+/// Names the limit that a user has set, as a shell does, or returns an empty text where there is
+/// none.
 std::string limit_text(__rlimit_resource resource, const char* option, rlim_t unit,
                        const char* unit_name) {
   rlimit limit{};

@@ -1,4 +1,4 @@
-// What this process can get no more of.
+// Finds out what the system gives this process no more of, to explain why a library has failed.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,11 @@
 
 namespace spindrift {
 
-/// Tries whether the system still gives memory, a thread and open files, which libraries seldom say
-/// when they fail for want of them.
+/// Tries whether the system still gives memory, a thread and an open file; libraries seldom say
+/// that they fail for want of one of them.
 /// @param bytes how much address space is wanted
-/// @returns what there is too little of, with the limit that it comes from, as one sentence without
-/// a
-///          full stop; none: there is enough of all
+/// @return what there is too little of, with the limit that it comes from, as one sentence without
+/// a full stop; none where there is enough of all
 std::optional<std::string> shortage(std::size_t bytes = std::size_t{64} << 20);
 
 }  // namespace spindrift
