@@ -13,7 +13,7 @@
 namespace spindrift::app {
 namespace {
 
-constexpr std::size_t longest_line = 2000;  // letters
+constexpr std::size_t longest_line = 2000;  // characters of a message's line; the rest is cut off
 
 void print_lines(const std::string& begin, std::string_view message) {
   std::fflush(stdout);

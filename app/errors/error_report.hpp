@@ -1,4 +1,5 @@
-// How errors and warnings are told: in words on stderr and, for machines, as JSON on stdout.
+// Errors and warnings are reported here: in words on stderr and, for other programs, as JSON on
+// stdout.
 #pragma once
 
 #include <string>
@@ -8,15 +9,18 @@
 
 namespace spindrift::app {
 
-/// Prints "spindrift: MESSAGE" to stderr, each of its lines so, without control characters. With
-/// `json` also {"errors": [{"message": …}], "exit_code": …} to stdout. Returns the code.
+/// Prints "spindrift: MESSAGE" to stderr, with the prefix before every line of the message and
+/// control characters escaped. With `json` it also prints
+/// {"errors": [{"message": …}], "exit_code": …} to stdout.
+/// @return `code`
 ExitCode tell_error(ExitCode code, const std::string& message, bool json);
 
-/// The same for all that is wrong with a scene; in JSON each problem has its "source", "line",
-/// "column" and "path" as well, where these are known.
+/// Reports every problem of a scene in the same form. In JSON each problem has its "source",
+/// "line", "column" and "path" as well, where these are known.
+/// @return bad_usage
 ExitCode tell_error(const SceneError& error, bool json);
 
-/// Only the JSON, of an error that has been told in words.
+/// Prints only the JSON of an error whose words are on stderr already.
 void print_error_json(ExitCode code, const std::string& message);
 
 /// Prints "spindrift: warning: MESSAGE" to stderr.

@@ -1,26 +1,26 @@
-// How a command ends, and what it throws when it cannot go on.
+// The exit codes of the program's commands, and the exceptions for bad input and bad usage.
 #pragma once
 
 #include <stdexcept>
 
 namespace spindrift::app {
 
-/// What a command tells the shell.
+/// The exit code that a command returns to the shell.
 enum ExitCode {
   done = 0,
-  check_failed = 1,
-  bad_usage = 2,  ///< or bad input
-  run_failed = 3,
+  check_failed = 1,  ///< a comparison or a check of a finished run found a difference or a fault
+  bad_usage = 2,     ///< the command line or an input file can't be used
+  run_failed = 3,    ///< the work itself failed or was interrupted
 };
 
-/// Input that can't be used, other than a scene. The message is one sentence for people: the file,
-/// what was found and what is accepted.
+/// Input other than a scene that can't be used (for scenes see SceneError). The message is one
+/// sentence for people that names the file, what was found and what is accepted.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Misuse of the command line; the message is one sentence for people.
+/// A command line that can't be used. The message is one sentence for people.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,7 +8,7 @@
 namespace spindrift::app {
 
 int edit_distance(std::string_view a, std::string_view b) {
-  // cost[i][j]: of turning the first i letters of a into the first j letters of b.
+  // cost[i][j] is the cost of turning the first i letters of a into the first j letters of b.
   std::vector<std::vector<int>> cost(a.size() + 1, std::vector<int>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
     for (std::size_t j = 0; j <= b.size(); ++j) {

@@ -11,12 +11,13 @@
 namespace spindrift::app {
 namespace {
 
-constexpr std::size_t most_problems = 20;    // told one by one
-constexpr std::size_t longest_source = 300;  // letters, of a file's name or a --set
-constexpr std::size_t longest_path = 160;
-constexpr std::size_t longest_message = 1500;
+constexpr std::size_t most_problems = 20;      // reported one by one; the rest are only counted
+constexpr std::size_t longest_source = 300;    // characters of a file's name or a --set
+constexpr std::size_t longest_path = 160;      // characters
+constexpr std::size_t longest_message = 1500;  // characters
 
-/// What --set brings is told after what stands in the file.
+/// Whether problem a is reported before b. Problems from --set have no line and come after those of
+/// the file.
 bool stands_before(const Problem& a, const Problem& b) {
   const auto key = [](const Problem& p) {
     return std::tuple(p.place.line == 0, p.place.line, p.place.column);

@@ -1,4 +1,5 @@
-// What is wrong with a scene, or with a file in the manner of scenes: all of it at once.
+// The error for a scene file, or another file read in the same way, that can't be used. It carries
+// all problems found in the file, each with its place.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +10,28 @@
 
 namespace spindrift::app {
 
-/// Where a value was written.
+/// The place where a value was written.
 struct Place {
-  std::string source;        ///< a file, or "--set KEY=VALUE"; empty: nowhere in particular
-  std::uint32_t line = 0;    ///< from 1; 0: the source has no lines
-  std::uint32_t column = 0;  ///< letters, from 1
+  std::string source;        ///< a file's name, or "--set KEY=VALUE"; empty where it is unknown
+  std::uint32_t line = 0;    ///< counted from 1; 0 where the source has no lines
+  std::uint32_t column = 0;  ///< in characters, counted from 1
 
-  /// "scene.json:3:14", or the source alone.
+  /// "scene.json:3:14", or the source alone where there is no line.
   std::string text() const;
 };
 
-/// One thing that is wrong.
+/// One thing that is wrong with a scene.
 struct Problem {
   Place place;
-  std::string path;     ///< of the value, such as fluid.volumes[0]; empty: the whole document
+  std::string path;     ///< key path of the value, such as fluid.volumes[0]; empty for the document
   std::string message;  ///< what was found and what is accepted
 
-  /// "PLACE: PATH: MESSAGE" without the parts that are empty, on one line.
+  /// "PLACE: PATH: MESSAGE" on one line; parts that are empty are left out.
   std::string text() const;
 };
 
-/// A scene that can't be used. Its text has a line for each problem, in the order of the file, and
-/// one that counts the rest where there are very many; no line has a control character.
+/// Thrown for a scene that can't be used. Its text has a line for each of the first 20 problems, in
+/// the order of the file, and a line that counts the rest; control characters are escaped.
 class SceneError : public std::runtime_error {
  public:
   explicit SceneError(const std::string& message);
@@ -38,9 +39,9 @@ class SceneError : public std::runtime_error {
   /// @param problems at least one, in any order
   explicit SceneError(std::vector<Problem> problems);
 
-  /// Those that are told.
+  /// The problems that are reported one by one, at most 20, in the order of the file.
   const std::vector<Problem>& problems() const { return problems_; }
-  /// How many more there are.
+  /// The number of problems beyond those in problems().
   std::size_t more() const { return more_; }
 
  private:
@@ -56,7 +57,8 @@ class SceneError : public std::runtime_error {
   std::size_t more_ = 0;
 };
 
-/// @throws SceneError with all of them, if there are any
+/// Throws the problems together, if there are any.
+/// @throws SceneError
 void throw_if_any(std::vector<Problem> problems);
 
 }  // namespace spindrift::app

@@ -11,14 +11,14 @@
 namespace spindrift::app {
 namespace {
 
-/// One character of a text: its bytes, and its number in Unicode, or none where they are no UTF-8.
+/// One character of a text.
 struct Character {
   std::string_view bytes;
-  std::uint32_t number = 0;
-  bool valid = true;
+  std::uint32_t number = 0;  ///< Unicode code point; 0 where the bytes are not UTF-8
+  bool valid = true;         ///< whether the bytes are UTF-8
 };
 
-/// The character that a text begins with (RFC 3629).
+/// Decodes the UTF-8 character that a text begins with (RFC 3629).
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const Character invalid{text.substr(0, 1), 0, false};
@@ -79,7 +79,7 @@ std::string escaped(std::string_view text) {
 
 std::string shown(std::string_view text, std::size_t most_letters) {
   std::string result;
-  std::size_t letters = 0, cut = 0;  // where the dots would go
+  std::size_t letters = 0, cut = 0;  // the text ends at `cut` if dots must follow
   while (!text.empty()) {
     const Character c = first_character(text);
     const std::string one = shown_character(c);
