@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name, once nothing but a regular file can have it: a folder or a pipe in the place of a file
-/// that the program keeps for itself is of no use.
+/// Removes whatever has the file's name and is not a regular file, and returns the name: a folder
+/// or a pipe in the place of a file that the program keeps for itself is of no use.
 const fs::path& cleared(const fs::path& file) {
   std::error_code ignored;
   const fs::file_status status = fs::symlink_status(file, ignored);

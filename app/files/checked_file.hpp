@@ -1,4 +1,5 @@
-// Files that say when they have been damaged: what is written is followed by its checksum.
+// Binary files that end with a checksum of their content, so that damage is found when they are
+// read.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace spindrift::app {
 
-/// A running checksum: 128 bits of XXH3 (Collet's xxHash).
+/// A running 128-bit XXH3 checksum (Collet's xxHash).
 class Checksum {
  public:
   struct Value {
@@ -24,6 +25,7 @@ class Checksum {
   Checksum();
   ~Checksum();
   void add(std::span<const std::byte> bytes);
+  /// The checksum of all bytes added so far.
   Value value() const;
 
  private:
@@ -31,7 +33,7 @@ class Checksum {
   std::unique_ptr<State> state_;
 };
 
-/// Writes a file that appears under its name only when it is complete, in place of whatever else
+/// Writes a file that appears under its name only once it is complete, in place of whatever else
 /// has that name. Every error is a std::runtime_error that names the file.
 class CheckedWriter {
  public:
@@ -39,6 +41,7 @@ class CheckedWriter {
   CheckedWriter(const std::filesystem::path& file, std::string_view magic);
 
   void write(std::span<const std::byte> bytes);
+  /// Writes the checksum and gives the file its name.
   void commit();
 
  private:
@@ -46,20 +49,23 @@ class CheckedWriter {
   Checksum checksum_;
 };
 
-/// Reads such a file. Every error is a std::runtime_error that names the file and says what is
-/// wrong with it.
+/// Reads a file written by CheckedWriter. Every error is a std::runtime_error that names the file
+/// and says what is wrong with it.
 class CheckedReader {
  public:
+  /// @param magic the bytes that the file must begin with
   CheckedReader(std::filesystem::path file, std::string_view magic);
 
-  /// Bytes that are still to be read.
+  /// The number of bytes still to be read, without the checksum.
   std::uint64_t remaining() const { return remaining_; }
-  /// @throws std::runtime_error where the file ends before
+  /// Fills `bytes` with the next bytes of the file.
+  /// @throws std::runtime_error when fewer bytes remain
   void read(std::span<std::byte> bytes);
-  /// To be called before anything that was read is used.
-  /// @throws std::runtime_error where bytes are left, or the checksum is another
+  /// Compares the checksum; it must be called before anything that was read is used.
+  /// @throws std::runtime_error when bytes remain or the checksum differs
   void finish();
-  /// @throws std::runtime_error that says the file is damaged
+  /// Reports the file as damaged.
+  /// @throws std::runtime_error always
   [[noreturn]] void fail() const;
 
  private:

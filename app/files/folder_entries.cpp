@@ -14,7 +14,7 @@ std::vector<fs::directory_entry> entries_in(const fs::path& folder) {
 
 std::vector<fs::directory_entry> entries_below(const fs::path& folder) {
   std::vector<fs::directory_entry> entries = entries_in(folder);
-  for (std::size_t k = 0; k < entries.size(); ++k) {  // grows meanwhile
+  for (std::size_t k = 0; k < entries.size(); ++k) {  // the body appends entries
     std::error_code gone;
     if (entries[k].symlink_status(gone).type() != fs::file_type::directory)
       continue;

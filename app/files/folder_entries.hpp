@@ -1,4 +1,4 @@
-// What is in a folder in which others may be at work.
+// Lists folders in which other processes may be adding and removing files.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +6,11 @@
 
 namespace spindrift::app {
 
-/// The entries of a folder; what goes away meanwhile, or may not be read, is passed over.
+/// The entries of a folder. Entries that vanish meanwhile or may not be read are left out.
 std::vector<std::filesystem::directory_entry> entries_in(const std::filesystem::path& folder);
 
-/// The same with those of all folders below; symbolic links are not followed.
+/// The entries of a folder and of all folders below it, as by entries_in. Symbolic links are not
+/// followed.
 std::vector<std::filesystem::directory_entry> entries_below(const std::filesystem::path& folder);
 
 }  // namespace spindrift::app

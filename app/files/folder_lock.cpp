@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words of this process's command line.
+/// This process's command line, its words separated by spaces.
 std::string own_command() {
   std::ifstream stream("/proc/self/cmdline", std::ios::binary);
   std::string words{std::istreambuf_iterator<char>(stream), {}};
@@ -35,7 +35,8 @@ std::string own_command() {
   return words;
 }
 
-/// Leaves in the file who holds its lock. What can't be written is not missed: it is for people.
+/// Writes into the lock's file which process holds the lock. A failure to write is ignored, since
+/// the text only informs people.
 void sign(int descriptor) {
   const std::string text =
       nlohmann::ordered_json{
@@ -49,8 +50,8 @@ void sign(int descriptor) {
     (void)::ftruncate(descriptor, 0);
 }
 
-/// What a lock's file says of who holds it; null where nothing is said within a second. Whoever
-/// has just got the lock is about to sign.
+/// The JSON in a lock's file that describes the holder; null where none appears within a second.
+/// A process that has just got the lock has not written it yet.
 nlohmann::ordered_json signature_in(const fs::path& file) {
   using namespace std::chrono_literals;
   nlohmann::ordered_json who = json_in(file);
@@ -61,7 +62,7 @@ nlohmann::ordered_json signature_in(const fs::path& file) {
   return who;
 }
 
-/// Who holds a lock, as its file says.
+/// A sentence about the process that holds a lock, from the lock's file.
 std::string holder(const fs::path& file) {
   const nlohmann::ordered_json who = signature_in(file);
   try {
@@ -99,7 +100,7 @@ FolderLock::FolderLock(const fs::path& folder, bool wait) {
 }
 
 FolderLock::~FolderLock() {
-  (void)!::ftruncate(descriptor_, 0);  // the next one's signature is its own
+  (void)!::ftruncate(descriptor_, 0);  // the next holder must not be taken for this one
   ::close(descriptor_);
 }
 

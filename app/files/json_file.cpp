@@ -8,7 +8,8 @@ namespace spindrift::app {
 
 namespace {
 
-/// Deeper than anything that the program writes. What is done with JSON takes stack for each level.
+/// The deepest nesting that is read, more than anything the program writes. The limit exists
+/// because working with JSON takes stack for each level.
 constexpr int most_levels = 64;
 
 }  // namespace

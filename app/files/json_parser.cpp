@@ -12,10 +12,11 @@
 namespace spindrift::app {
 namespace {
 
-constexpr std::size_t longest_key = 60;             // letters, of a key in a message
-constexpr std::size_t longest_parser_reason = 200;  // letters, of what the parser says
+constexpr std::size_t longest_key = 60;             // characters of a key in a message
+constexpr std::size_t longest_parser_reason = 200;  // characters of the parser's own message
 
-/// Iterator over text that leaves behind how far it has come.
+/// Iterator over text that counts the characters it has passed in a variable outside it, where they
+/// can be read while the parser holds the iterator.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -41,11 +42,11 @@ struct CountingIterator {
   bool operator!=(const CountingIterator& other) const { return at != other.at; }
 };
 
-/// Goes through the text once, from token to token, and counts lines and letters on its way.
+/// Goes through the text once, from token to token, and counts lines and characters on its way.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : text_(text) {
-    if (text_.starts_with("\xef\xbb\xbf"))  // a byte order mark stands before the first letter
+    if (text_.starts_with("\xef\xbb\xbf"))  // a byte order mark takes no column
       offset_ = 3;
   }
 
@@ -56,12 +57,12 @@ class TextCursor {
       const auto c = static_cast<unsigned char>(text_[offset_]);
       if (c == '\n')
         position_ = {position_.line + 1, 1};
-      else if ((c & 0xc0) != 0x80)  // a letter of UTF-8 counts once
+      else if ((c & 0xc0) != 0x80)  // the further bytes of a UTF-8 character do not count
         ++position_.column;
     }
   }
 
-  /// Over what stands between two tokens.
+  /// Passes spaces, commas, colons and comments up to the next token.
   void go_to_next_token() {
     for (;;) {
       const std::size_t next = text_.find_first_not_of(" \t\r\n,:", offset_);
@@ -76,7 +77,8 @@ class TextCursor {
     }
   }
 
-  /// To the end of the number that begins here: the parser has looked a letter further.
+  /// Goes to the end of the number that begins here. The parser's own position is no use: it has
+  /// looked one character further.
   void go_over_number() { go_to(text_.find_first_not_of("+-.0123456789eE", offset_)); }
 
  private:
@@ -90,14 +92,15 @@ class TextCursor {
   TextPosition position_{1, 1};
 };
 
-/// The parser's reason without its own names and position: "unexpected '}'; expected …".
+/// A message from the parser's own text, without the parser's names and position, such as
+/// "not valid JSON: unexpected '}'; expected …".
 std::string syntax_error(std::string_view what) {
   const auto at = what.find(" - ");
   return "not valid JSON: " +
          shown(at == what.npos ? what : what.substr(at + 3), longest_parser_reason);
 }
 
-/// Listens to the parser and builds the document.
+/// Takes the parser's events and builds the document with its positions.
 class DocumentBuilder : public nlohmann::json_sax<Json> {
  public:
   DocumentBuilder(std::string_view text, const std::size_t& consumed, ParsedJson& into)
@@ -109,7 +112,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t value) override { return put_number(value); }
   bool number_float(number_float_t value, const string_t&) override { return put_number(value); }
   bool string(string_t& value) override { return put_word(std::move(value)); }
-  bool binary(binary_t&) override { return false; }  // there is none in text
+  bool binary(binary_t&) override { return false; }  // JSON text has no binary values
   bool start_object(std::size_t) override { return start(Json::object()); }
   bool start_array(std::size_t) override { return start(Json::array()); }
   bool end_object() override { return end(); }
@@ -142,7 +145,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   struct Open {
     Json* json;
     JsonPositions* positions;
-    std::map<std::string, std::size_t> keys = {};  ///< where each is; filled where there are many
+    std::map<std::string, std::size_t> keys = {};  ///< index of each key; used from `few` keys on
   };
 
   [[noreturn]] void refuse(const std::string& message) const {
@@ -150,7 +153,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
   void refuse_second(const std::string& name) {
-    constexpr std::size_t few = 16;  // so many are looked through
+    constexpr std::size_t few = 16;  // fewer keys are searched one by one
     Open& open = open_.back();
     const auto& members = open.json->get_ref<const Json::object_t&>();
     std::size_t first = members.size();
@@ -172,14 +175,15 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
                        shown(name, longest_key), before.line, before.column));
   }
 
-  /// Puts a value where it belongs, with the cursor on its first letter.
+  /// Puts a value into the list or object that is open. The cursor is on the value's first
+  /// character.
   Open put(Json value) {
     if (open_.empty()) {
       into_ = {std::move(value), {cursor_.position(), {}}};
       return {&into_.json, &into_.positions};
     }
     const Open& open = open_.back();
-    if (open.json->is_object()) {  // its key has made room for it
+    if (open.json->is_object()) {  // the key has made an empty member for the value
       Json& member = open.json->get_ref<Json::object_t&>().back().second;
       member = std::move(value);
       return {&member, &open.positions->parts.back()};

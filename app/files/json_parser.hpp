@@ -1,4 +1,4 @@
-// JSON text into a document, with the place of everything in it, in one pass.
+// Parses JSON text, in one pass, into a document with the line and column of everything in it.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,31 @@ namespace spindrift::app {
 
 using Json = nlohmann::ordered_json;
 
-/// Lists and objects within each other, at most. What follows may call itself for each level.
+/// The deepest nesting of lists and objects that is accepted. Functions that work on a parsed
+/// document may therefore recurse once per level.
 inline constexpr std::size_t most_json_levels = 64;
 
 struct TextPosition {
-  std::uint32_t line = 0;    ///< from 1
-  std::uint32_t column = 0;  ///< letters, from 1
+  std::uint32_t line = 0;    ///< counted from 1
+  std::uint32_t column = 0;  ///< in characters, counted from 1
 };
 
-/// Where a value was written, and its parts, in their order; an object's part is where its key is.
+/// The position of a value in the text, and those of its parts.
 struct JsonPositions {
-  TextPosition at;
-  std::vector<JsonPositions> parts;
+  TextPosition at;                   ///< of an object's member: where its key begins
+  std::vector<JsonPositions> parts;  ///< a list's entries or an object's members, in their order
 };
 
+/// A document and the positions of its values, which form a tree of the same structure.
 struct ParsedJson {
   Json json;
   JsonPositions positions;
 };
 
-/// A text that can't be read as JSON, or that is beyond what is accepted here.
+/// Thrown for a text that is not JSON, or is JSON that this parser does not accept.
 class JsonError : public std::runtime_error {
  public:
+  /// Whether the text is not JSON, or is JSON beyond this parser's limits.
   enum Kind { not_json, refused };
   JsonError(Kind kind, TextPosition at, const std::string& message)
       : std::runtime_error(message), kind_(kind), at_(at) {}
@@ -45,9 +48,10 @@ class JsonError : public std::runtime_error {
   TextPosition at_;
 };
 
-/// Reads JSON (RFC 8259) with comments, // and /* */, in time and memory proportional to its
-/// length. @throws JsonError for what is not JSON, for a key given twice, a number beyond a
-/// double's range, a NUL character, and more than most_json_levels levels
+/// Parses JSON (RFC 8259) with // and /* */ comments, in time and memory proportional to its
+/// length.
+/// @throws JsonError for what is not JSON, for a key given twice, a number beyond a double's range,
+/// a NUL character, and more than most_json_levels levels
 ParsedJson parse_json(std::string_view text);
 
 }  // namespace spindrift::app
