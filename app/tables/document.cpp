@@ -11,9 +11,9 @@
 namespace spindrift::app {
 namespace {
 
-constexpr std::size_t longest_part = 60;  // letters, of a key in a path
+constexpr std::size_t longest_part = 60;  // characters of a key in a path
 
-/// "fluid.volumes[0].velocity" as fluid, volumes, 0, velocity.
+/// Splits "fluid.volumes[0].velocity" into fluid, volumes, 0 and velocity.
 std::vector<std::string> split_key(std::string_view key) {
   std::vector<std::string> parts(1);
   for (const char c : key)
@@ -29,7 +29,8 @@ bool is_index(const std::string& part) {
          std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-/// A key of one of the scene's sections, if it was typed without the section's name; else nothing.
+/// The full path, such as fluid.spacing, of a section's key that was typed without the section's
+/// name; empty for other keys.
 std::string with_section(const std::string& key, const Json& defaults) {
   for (const auto& [section, values] : defaults.items())
     if (!defaults.contains(key) && values.is_object() && values.contains(key))
@@ -37,7 +38,7 @@ std::string with_section(const std::string& key, const Json& defaults) {
   return {};
 }
 
-/// Where a key is in an object, counted from 0; the object's size where it is not there.
+/// The index of a key in an object; the object's size where it has no such key.
 std::size_t number_of(const Json& object, std::string_view key) {
   const auto& members = object.get_ref<const Json::object_t&>();
   const auto found = std::find_if(members.begin(), members.end(),
@@ -45,9 +46,10 @@ std::size_t number_of(const Json& object, std::string_view key) {
   return static_cast<std::size_t>(found - members.begin());
 }
 
-/// Goes down into a document along a key, and makes what is not there yet.
+/// Descends into a document along the key of an override, and creates what does not exist yet.
 class OverridePath {
  public:
+  /// @param at the position that is given to the values that the override changes
   OverridePath(ParsedJson& document, const Json& defaults, const Place& place, TextPosition at)
       : json_(&document.json),
         positions_(&document.positions),
@@ -59,7 +61,7 @@ class OverridePath {
     if (part.empty())
       fail("a name is missing in the key");
     if (!path_.empty() && positions_->at.line != 0)
-      positions_->at = at_;  // what has a changed part is no longer the file's alone
+      positions_->at = at_;  // a value with a changed part is no longer from the file alone
     if (json_->is_array() && is_index(part)) {
       go_to_entry(std::stoul(part));
     } else if (json_->is_object() || json_->is_null()) {
@@ -112,7 +114,7 @@ class OverridePath {
 
   Json* json_;
   JsonPositions* positions_;
-  const Json* fallback_;  // the same place in the defaults, or none
+  const Json* fallback_;  // the value under the same key in the defaults, or null
   const Place& place_;
   TextPosition at_;
   std::string path_;

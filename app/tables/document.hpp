@@ -1,4 +1,5 @@
-// A scene file as JSON, with overrides laid over it, that knows where each value was written.
+// A scene file as JSON, with the overrides of the command line applied, that knows where each value
+// was written.
 #pragma once
 
 #include <optional>
@@ -13,24 +14,27 @@ namespace spindrift::app {
 
 class LocatedValue;
 
+/// A parsed scene file and the overrides that were applied to it.
 class SceneDocument {
  public:
+  /// @param text JSON with comments, as parse_json accepts it
   /// @param source the file's name in messages
-  /// @throws SceneError with file, line and column as parse_json does
+  /// @throws SceneError with line and column for every text that parse_json refuses
   SceneDocument(std::string_view text, std::string source);
 
-  /// Lays `KEY=VALUE` over the document. KEY is a path such as fluid.volumes[0].velocity or
-  /// fluid.volumes.0.velocity; VALUE is JSON, and text where it is not. A list the document does
-  /// not have is taken from `defaults` first. @throws SceneError
+  /// Applies `KEY=VALUE` to the document. KEY is a path such as fluid.volumes[0].velocity or
+  /// fluid.volumes.0.velocity; VALUE is JSON, and is taken as text where it is not JSON. A list
+  /// that the document does not have is first copied from `defaults`.
+  /// @throws SceneError
   void override_value(const std::string& assignment, const Json& defaults);
 
   const Json& root() const { return parsed_.json; }
 
-  /// The whole document; valid as long as it is not changed.
+  /// The whole document as a value; it is valid until the document is changed.
   LocatedValue value() const;
 
-  /// Something wrong with the value at a path, or with what is missing there: told where that
-  /// value, or else the nearest around it, was written.
+  /// A problem with the value at a path, or with a value missing there. Its place is that of the
+  /// value, or else of the nearest value that encloses the path.
   Problem problem(std::string path, std::string message) const;
 
  private:
@@ -38,24 +42,24 @@ class SceneDocument {
   Place place(TextPosition at) const;
 
   std::string source_;
-  ParsedJson parsed_;  // a position without a line: in the override that its column counts to
+  ParsedJson parsed_;  // a position with line 0 stands for the override whose index is the column
   std::vector<std::string> overrides_;
 };
 
-/// A value of a document, and the way to it. It refers to the value that it is a part of, which
-/// must outlive it.
+/// A value of a document, with its key path and the place where it was written. It refers to the
+/// value that it is a part of, which must outlive it.
 class LocatedValue {
  public:
   const Json& json() const { return *json_; }
   bool is_root() const { return parent_ == nullptr; }
 
-  /// A list's entry.
+  /// The entry of a list.
   LocatedValue operator[](std::size_t index) const;
 
-  /// An object's value; none where it has no such key.
+  /// The value of a key of an object; none where the object has no such key.
   std::optional<LocatedValue> find(std::string_view key) const;
 
-  /// Calls f(key, value) for all of an object, in the order of the text.
+  /// Calls f(key, value) for all members of an object, in the order of the text.
   template <class F>
   void for_each_member(F f) const {
     const auto& members = json_->get_ref<const Json::object_t&>();
@@ -63,9 +67,10 @@ class LocatedValue {
       f(members.begin()[k].first, member(k));
   }
 
-  /// Such as fluid.volumes[0].velocity; empty for the root.
+  /// The key path, such as fluid.volumes[0].velocity; empty for the root.
   std::string path() const;
 
+  /// A problem with this value, at its place.
   Problem problem(std::string message) const;
 
  private:
@@ -87,21 +92,24 @@ class LocatedValue {
   const SceneDocument* document_;
   const Json* json_;
   TextPosition at_;
-  const JsonPositions* positions_;  // none: as the nearest value around it
+  const JsonPositions* positions_;  // null where only the enclosing value's position is known
   const LocatedValue* parent_;
-  std::string_view key_;  // in the parent, where that is an object
-  std::size_t index_;     // and where it is a list
+  std::string_view key_;  // in the parent, where the parent is an object
+  std::size_t index_;     // in the parent, where the parent is a list
 };
 
-/// "fluid" and "volumes" make "fluid.volumes"; "" and "fluid" make "fluid".
+/// The key path of an object's member: "fluid" and "volumes" make "fluid.volumes"; "" and "fluid"
+/// make "fluid".
 std::string child_path(std::string_view parent, std::string_view key);
+/// The key path of a list's entry: "fluid.volumes" and 0 make "fluid.volumes[0]".
 std::string child_path(std::string_view parent, std::size_t index);
 
-/// VALUE of KEY=VALUE, as typed: JSON, and text where it is not. @param place for messages
+/// The VALUE of a typed KEY=VALUE: the JSON that it is, or else its text.
+/// @param place the place that an error names
 /// @throws SceneError for JSON that is beyond what parse_json accepts
 Json typed_value(const std::string& typed, const Place& place);
 
-/// Without spaces at its ends.
+/// The text without the spaces at its ends.
 std::string trimmed(const std::string& text);
 
 }  // namespace spindrift::app

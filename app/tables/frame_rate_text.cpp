@@ -10,7 +10,8 @@
 namespace spindrift::app {
 namespace {
 
-/// A fraction in lowest terms; none where a term is not positive or beyond what a video can hold.
+/// The rate as a fraction in lowest terms; none where a term is not positive or is larger than a
+/// video file can hold.
 std::optional<FrameRate> fraction(long long pictures, long long seconds) {
   constexpr int most = 1'000'000;
   if (pictures <= 0 || seconds <= 0)

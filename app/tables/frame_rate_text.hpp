@@ -1,4 +1,5 @@
-// Frame rates as scenes write them: a number, or a fraction as text.
+// Converts frame rates from and to the forms that scene files have: a number, or a fraction as
+// text.
 #pragma once
 
 #include <optional>
@@ -8,10 +9,10 @@
 
 namespace spindrift::app {
 
-/// "30", or "30000/1001".
+/// The rate as text, such as "30" or "30000/1001".
 std::string rate_text(const FrameRate& rate);
 
-/// The rate that such a text names; none for other texts.
+/// The rate that a text such as "30" or "30000/1001" names; none for other texts.
 std::optional<FrameRate> rate_of(const std::string& text);
 
 /// The rate that is exactly a number of thousandths, such as 30 or 23.976; none for other numbers.

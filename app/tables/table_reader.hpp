@@ -1,5 +1,5 @@
-// Reads a document's values into plain data, by the tables of its keys, and gathers all that is
-// wrong with them.
+// Reads a document's values into structs of plain data by the tables of their keys, and collects
+// every problem found on the way.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,19 +22,22 @@
 
 namespace spindrift::app {
 
-/// A value as messages show it: what kind it is, and, if it is short, what it says.
+/// A value as messages show it: "an object", or the value itself, shortened where it is long.
 std::string found_text(const Json& json);
 
-/// What a value of a field must look like, for messages and bounds.
+/// The accepted range of a field's numbers, and their unit for messages.
 struct Bounds {
   Range range;
   std::string_view unit;
 };
 
+/// Reads values by their type and by the tables of their sections. A value that is not as it should
+/// be adds a problem, and reading goes on.
 class TableReader {
  public:
   std::vector<Problem> problems() && { return std::move(problems_); }
 
+  /// Reads an object into a section. Keys that are absent leave their fields as they are.
   template <Section T>
   void read(const LocatedValue& value, T& into, const Bounds& = {}) {
     if constexpr (!lone_entry_name<T>.empty())
@@ -65,8 +68,10 @@ class TableReader {
     });
   }
 
-  /// Whether the value is an object; its keys should be among those. @param meant the nearest
-  /// names of unknown keys, which need not be found missing as well
+  /// Complains if the value is no object, or of each of its keys that is not among `keys`.
+  /// @param meant receives the nearest names of the unknown keys, which need not be reported as
+  /// missing as well
+  /// @return whether the value is an object
   bool check_keys(const LocatedValue& value, const std::vector<std::string_view>& keys,
                   std::vector<std::string_view>& meant);
 
@@ -95,7 +100,9 @@ class TableReader {
     });
   }
 
-  /// @param is_meant one of them by an unknown key
+  /// Reads the one alternative that the value has a key of.
+  /// @param is_meant whether an unknown key is probably a misspelt alternative, which then need
+  /// not be reported as missing
   template <Alternatives V>
   void read_alternative(const LocatedValue& value, V& into, bool is_meant) {
     const auto& names = alternative_names<V>;
@@ -119,7 +126,7 @@ class TableReader {
     return {V(std::in_place_index<I>)...};
   }
 
-  /// The section's list, or one entry of it, written straight into the section.
+  /// Reads a section's list, or a single entry whose keys are written directly into the section.
   template <Section T>
   void read_list_or_entry(const LocatedValue& value, T& into) {
     const auto& field = std::get<0>(table<T>);
@@ -159,12 +166,12 @@ class TableReader {
     read(value, into.emplace(), bounds);
   }
 
-  /// Names and files; neither goes over a line's end.
+  /// Reads a name or a file's name; control characters, line ends among them, are refused.
   void read(const LocatedValue& value, std::string& into, const Bounds&);
 
   void read(const LocatedValue& value, bool& into, const Bounds&);
 
-  /// A number within the bounds; none, with a complaint, for anything else.
+  /// A number within the bounds; none, and a problem, for anything else.
   std::optional<double> read_number(const LocatedValue& value, const Bounds& bounds);
 
   void read(const LocatedValue& value, double& into, const Bounds& bounds);
@@ -190,14 +197,15 @@ class TableReader {
     into = static_cast<E>(at - names.begin());
   }
 
-  // An alternative is only ever read through its owner's keys.
+  // Exists only so that read_fields compiles: alternatives are read through their owner's keys.
   template <Alternatives V>
   void read(const LocatedValue&, V&, const Bounds&) {}
 
   std::vector<Problem> problems_;
 };
 
-/// The whole document, by the section's table. @throws SceneError with all that is wrong in it
+/// Reads the whole document into a section.
+/// @throws SceneError with every problem in the document
 template <Section T>
 void read_document(const SceneDocument& document, T& into) {
   TableReader reader;

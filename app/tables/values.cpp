@@ -7,7 +7,7 @@
 namespace spindrift::app {
 namespace {
 
-/// A value on one line, as people write it: {"min": [0, 1, 2]}.
+/// A value on one line with spaces as people write it: {"min": [0, 1, 2]}.
 std::string one_line(const Json& json) {
   const std::string dense = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;
@@ -24,7 +24,8 @@ std::string one_line(const Json& json) {
   return text;
 }
 
-/// A value on lines of its own where it does not fit one.
+/// Appends a value to `out`, on one line where it fits and else with each entry on its own line.
+/// @param key_width characters that stand before the value on its line, after the indent
 void write_text(const Json& json, std::size_t indent, std::size_t key_width, std::string& out);
 
 void write_entry(const std::string& name, const Json& value, std::size_t indent, std::string& out) {
@@ -34,7 +35,8 @@ void write_entry(const std::string& name, const Json& value, std::size_t indent,
 
 void write_text(const Json& json, std::size_t indent, std::size_t key_width, std::string& out) {
   constexpr std::size_t line_width = 100;
-  // An entry takes two characters at least, so that long lists need not be written to be measured.
+  // Every entry takes at least two characters, so a long list is known not to fit without being
+  // written out.
   if (!json.is_structured() || (indent > 0 && 2 * json.size() < line_width)) {
     const std::string flat = one_line(json);
     if (!json.is_structured() || indent + key_width + flat.size() < line_width) {
@@ -67,7 +69,7 @@ Json json_of(float value) {
   const auto written = std::to_chars(text, text + sizeof text, value);
   double read = 0.;
   std::from_chars(text, written.ptr, read);
-  return read == 0. ? 0. : read;  // no −0
+  return read == 0. ? 0. : read;  // turns −0 into 0
 }
 
 Json json_of(const glm::vec3& value) {

@@ -1,4 +1,4 @@
-// Any value as JSON, by its type and its table.
+// Writes values as JSON by their type, and structs of plain data by the tables of their keys.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,7 +17,7 @@ namespace spindrift::app {
 /// The double that reads like the float: 0.1f becomes 0.1, not 0.10000000149.
 Json json_of(float value);
 Json json_of(const glm::vec3& value);
-/// As text where it is no whole number.
+/// The rate as a number where it is whole, and else as a fraction in text.
 Json json_of(const FrameRate& value);
 inline Json json_of(double value) {
   return value;
@@ -86,7 +86,7 @@ Json json_of(const std::vector<T>& values) {
   return list;
 }
 
-/// JSON laid out for people: what fits stands on one line.
+/// JSON laid out for people: a list or object that fits on one line stands on one line.
 std::string to_text(const Json& json);
 
 }  // namespace spindrift::app
