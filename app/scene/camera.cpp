@@ -10,12 +10,13 @@ namespace spindrift::app {
 namespace {
 
 constexpr float automatic_fov = 35.f;      // degrees
-constexpr float automatic_margin = 0.06f;  // of half the picture, left free on every side
+constexpr float automatic_margin = 0.06f;  // left free on every side, as a part of half the picture
 const glm::vec3 automatic_direction{0.38f, 0.40f, 1.f};  // from the domain to the camera
 
-/// A three-quarter view from slightly above, as near as all eight corners allow. With the camera at
-/// (cx, cy, cz) in its own axes, corner (x, y, z) is inside the picture when
-/// |x − cx| ≤ tx (cz − z), so that two largest values give cx and the least cz; so for y.
+/// A three-quarter view of a box from slightly above, as near as all eight corners allow. With the
+/// camera at (cx, cy, cz) in its own axes, corner (x, y, z) is inside the picture when
+/// |x − cx| ≤ tx (cz − z). The largest values of x + tx z and of −x + tx z over the corners
+/// therefore give cx and the least cz; the same holds for y with ty.
 gl::View frame_box(const glm::vec3& box_min, const glm::vec3& box_max, float aspect) {
   const glm::vec3 back = glm::normalize(automatic_direction);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3{0.f, 1.f, 0.f}, back));
@@ -50,7 +51,7 @@ gl::View frame_box(const glm::vec3& box_min, const glm::vec3& box_max, float asp
   return view;
 }
 
-/// A key's numbers in a row, so that one loop interpolates them all.
+/// The numbers of a camera key as an array, so that one loop interpolates them all.
 using Numbers = std::array<float, 10>;
 
 Numbers numbers_of(const CameraKey& k) {

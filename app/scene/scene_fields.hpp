@@ -1,5 +1,6 @@
-// The scene file's keys: one table per section. The reader, the resolved dump, the JSON schema and
-// the hash are all made from these tables; a key stands nowhere else.
+// The scene file's keys, in one table per section; shapes hold their own tables as a member
+// `fields`. The reader, the resolved dump, the JSON schema and the hash are all made from these
+// tables.
 #pragma once
 
 #include <array>

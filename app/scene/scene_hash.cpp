@@ -9,12 +9,13 @@
 namespace spindrift::app {
 namespace {
 
-// To be raised when the same settings begin to give other particles, or the cache's files change.
+// Must be raised whenever the same settings begin to give other particles, or the format of the
+// cache's files changes.
 constexpr int particles_version = 11;
 
 __extension__ typedef unsigned __int128 Bits128;
 
-/// FNV-1a with 128 bits (Fowler, Noll, Vo).
+/// The 128-bit FNV-1a hash of a text (Fowler, Noll, Vo).
 Bits128 fnv1a(std::string_view text) {
   const Bits128 prime = (Bits128{1} << 88) + 0x13b;
   Bits128 hash = (Bits128{0x6c62272e07bb0142u} << 64) + 0x62b821756295c58du;
@@ -33,7 +34,8 @@ std::string_view bytes_of(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// Puts what a mesh's file holds, in its place in the scene, where the file's name is.
+/// Replaces the file's name of a mesh in the scene's JSON by hashes of its vertices and triangles
+/// as they are placed in the scene.
 void name_by_content(const sim::Shape& shape, Json& json) {
   if (const auto* mesh = std::get_if<sim::TriangleMesh>(&shape)) {
     const sim::TriangleSurface& surface = mesh->body->surface();
@@ -52,13 +54,14 @@ std::string simulation_hash(const Scene& scene) {
     name_by_content(scene.simulation.obstacles[i].shape, what["obstacles"][i]);
   for (std::size_t i = 0; i < scene.simulation.sinks.size(); ++i)
     name_by_content(scene.simulation.sinks[i].shape, what["sinks"][i]);
-  // The backends' particles differ by rounding; the processor's are not named.
+  // The backends' particles differ by rounding. Only CUDA is named, so that "auto" and "cpu" give
+  // the same hash where the processor computes.
   what["solver"].erase("backend");
   if (sim::choose_backend(scene.simulation).backend == sim::Backend::cuda)
     what["solver"]["backend"] = "cuda";
   what["frames_per_second"] = json_of(scene.video.frames_per_second);
   if (!scene.probes.empty() && scene.probes_rate > 0)
-    what["probes_rate"] = scene.probes_rate;  // steps end where probes are read
+    what["probes_rate"] = scene.probes_rate;  // a time step ends at every reading of the probes
   what["particles_version"] = particles_version;
   return text_hash(what.dump());
 }

@@ -1,4 +1,4 @@
-// Scenes as JSON and their schema, by the tables of scene_fields.hpp.
+// Writes scenes as JSON, and their JSON schema, by the tables of scene_fields.hpp.
 #include <fmt/format.h>
 
 #include <type_traits>
@@ -11,7 +11,7 @@
 namespace spindrift::app {
 namespace {
 
-// Overloads are chosen by a pointer to the type; the value is never looked at.
+// The overloads are chosen by the type of the pointer, which is always null.
 Json schema_of(const bool*, const Range&) {
   return {{"type", "boolean"}};
 }
@@ -74,7 +74,7 @@ void put_alternatives(Json& schema, std::index_sequence<I...>) {
   schema["oneOf"] = alternatives;
 }
 
-/// The value's own schema, with the field's description, unit and default.
+/// The schema of a field's value, with the field's description, unit and default.
 template <class T, class FieldType>
 Json field_schema(const FieldType& field) {
   using Value = std::remove_cvref_t<decltype(std::declval<T&>().*field.member)>;
@@ -123,7 +123,7 @@ Json schema_of(const std::optional<T>*, const Range& range) {
   return schema_for<T>(range);
 }
 
-/// Keyframes, or one key written straight into the section.
+/// The camera is an object with keyframes, or the keys of a single keyframe.
 Json schema_of(const CameraSettings*, const Range&) {
   Json keyframes{{"type", "object"}, {"properties", Json::object()}};
   put_properties<CameraSettings>(keyframes);
