@@ -12,13 +12,13 @@
 namespace spindrift::app {
 namespace {
 
-/// As many as are filled to be counted: that takes some tenths of a second.
+/// Up to so many particles, volumes are filled to count them, which takes some tenths of a second.
 constexpr double most_filled_particles = 2e6;
 
-/// More are not told apart.
+/// Larger counts are cut to this one, which an integer can hold.
 constexpr double most_counted = 1e18;
 
-// Measured on ordinary scenes; rough by nature.
+// The costs below were measured on ordinary scenes and are rough by nature.
 constexpr double bytes_of_particle = 450.;  // its fields and its neighbour list
 constexpr double bytes_of_boundary_particle = 60.;
 constexpr double bytes_of_pixel = 80.;               // 4 samples of colour and depth, two copies
@@ -26,7 +26,8 @@ constexpr double seconds_per_particle_step = 3e-6;   // of one thread
 constexpr double seconds_per_particle_frame = 3e-6;  // to find the surface and draw it
 constexpr double seconds_per_pixel_frame = 2.4e-7;   // to draw and write
 
-/// The fastest speed that falling through the domain and the volumes' own speeds give.
+/// The fastest speed, m/s, that the liquid is likely to reach: that of a fall through the domain's
+/// height from the fastest initial speed of volumes, obstacles and emitters.
 double likely_speed(const sim::Settings& settings) {
   const double gravity = glm::length(settings.forces.gravity);
   const double height = settings.domain.max.y - settings.domain.min.y;
@@ -40,16 +41,17 @@ double likely_speed(const sim::Settings& settings) {
   return std::max(std::sqrt(start * start + 2. * gravity * height), 1e-3);
 }
 
-/// The box that liquid can be in, m.
+/// The box, m, that liquid can be in: the domain and one spacing around it.
 sim::Box reach_of(const sim::DomainSettings& domain, float spacing) {
   return {domain.min - spacing, domain.max + spacing};
 }
 
+/// The intersection of two boxes.
 sim::Box common(const sim::Box& a, const sim::Box& b) {
   return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
 }
 
-/// From the volumes' sizes, less what is beyond the domain.
+/// The number of particles by the volumes' sizes, without the parts outside the domain.
 double particles_by_size(const sim::Settings& settings) {
   const double edge = sim::particle_spacing(settings);
   double sum = 0.;
@@ -109,7 +111,7 @@ Estimate estimate(const Scene& scene, int threads) {
   result.boundary_particles =
       static_cast<std::size_t>(std::min(count_boundary_particles(settings), most_counted));
   const auto most = static_cast<double>(result.particles);
-  const double particles = 0.5 * (static_cast<double>(first) + most);  // over the time
+  const double particles = 0.5 * (static_cast<double>(first) + most);  // mean over the run
   const double pixels = static_cast<double>(scene.video.width) * scene.video.height;
   result.bytes = most * bytes_of_particle +
                  static_cast<double>(result.boundary_particles) * bytes_of_boundary_particle +

@@ -1,4 +1,4 @@
-// What a scene will cost, without simulating it.
+// Estimates the particles, memory and time that a scene needs, without simulating it.
 #pragma once
 
 #include <cstddef>
@@ -8,26 +8,28 @@
 namespace spindrift::app {
 
 struct Estimate {
-  std::size_t particles = 0;  ///< of liquid; where emitters bring more, the most there can be
-  std::size_t boundary_particles = 0;  ///< one layer on every wall and obstacle, roughly
-  double bytes = 0.;                   ///< memory, roughly
-  double seconds = 0.;  ///< wall clock of the whole command, within a factor of three
+  std::size_t particles = 0;           ///< liquid particles at most, those of emitters included
+  std::size_t boundary_particles = 0;  ///< rough; one layer on every wall and obstacle
+  double bytes = 0.;                   ///< memory, rough
+  double seconds = 0.;  ///< wall-clock time of the whole command, within a factor of three
 };
 
-/// @param threads that share the work
+/// Estimates the cost of simulating and rendering a scene.
+/// @param threads number of threads that share the work
 Estimate estimate(const Scene& scene, int threads);
 
-/// Particles of liquid at the start: exact up to some millions, from there on from the volumes'
-/// sizes. Takes a moment and little memory whatever the sizes are.
+/// The number of liquid particles at the start. It is exact up to about two million, and above that
+/// follows from the volumes' sizes, so that it always takes little time and memory.
 std::size_t count_particles(const sim::Settings& settings);
 
-/// Whether those are so few that filling the volumes takes a moment.
+/// Whether the volumes have so few particles, fewer than about two million, that filling them takes
+/// some tenths of a second at most.
 bool is_cheap_to_fill(const sim::Settings& settings);
 
-/// Particles on walls and on obstacles that reach into the domain, roughly.
+/// The rough number of particles on the domain's walls and on obstacles that reach into the domain.
 double count_boundary_particles(const sim::Settings& settings);
 
-/// Particles that come out of emitters until a time, s, where nothing is in their way.
+/// The number of particles that emitters bring until a time, s, where nothing is in their way.
 double count_emitted(const sim::Settings& settings, double time);
 
 }  // namespace spindrift::app

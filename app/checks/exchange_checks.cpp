@@ -22,7 +22,7 @@
 namespace spindrift::app {
 namespace {
 
-constexpr float least_width = 2.f;  // particle spacings
+constexpr float least_width = 2.f;  // of an opening, in particle spacings
 
 std::optional<Complaint> check_direction(const glm::vec3& direction, const std::string& path) {
   if (glm::length(direction) < 1e-6f)
@@ -58,7 +58,8 @@ std::optional<Complaint> check(const sim::Rectangle& r, float spacing, const std
   return check_width(r.height, spacing, child_path(path, "height"));
 }
 
-/// Half a spacing on from the opening, particles must be in the domain and outside of obstacles.
+/// Checks that particles half a spacing beyond the opening are in the domain and outside of fixed
+/// obstacles.
 std::optional<Complaint> check_place(const sim::Settings& s, const sim::Opening& opening,
                                      const std::string& path) {
   const glm::vec3 ahead = 0.5f * s.fluid.spacing * sim::direction_of(opening);
@@ -80,8 +81,8 @@ std::optional<Complaint> check_place(const sim::Settings& s, const sim::Opening&
   return std::nullopt;
 }
 
-/// A nozzle may lie in a fixed obstacle, whose samples it opens; one that moves must stay out of
-/// it.
+/// Checks that no moving obstacle enters the nozzle while it is open. A fixed obstacle may contain
+/// the nozzle, which then removes the obstacle's boundary particles in its way.
 std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitter,
                                    const std::string& path) {
   const sim::Settings& s = scene.simulation;
@@ -108,10 +109,10 @@ std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitt
   return std::nullopt;
 }
 
-/// Where liquid can be near a nozzle.
+/// The space near a nozzle that liquid can take up.
 class Room {
  public:
-  /// @param reach from the points that are looked at, m
+  /// @param reach distance from the points up to which obstacles are considered, m
   Room(const sim::Settings& s, const std::vector<glm::vec3>& points, float reach) : settings_(s) {
     sim::Box around{points[0], points[0]};
     for (const glm::vec3& p : points)
@@ -122,8 +123,7 @@ class Room {
         standing_.push_back(&obstacle.shape);
   }
 
-  /// Whether a place is in the domain, or before an open face of it, and in no obstacle that stands
-  /// still.
+  /// Whether a place is in the domain, or in front of an open face of it, and in no fixed obstacle.
   bool is_at(const glm::vec3& p) const {
     return sim::OpenFaces(settings_.domain).is_before(sim::from_glm(p), settings_.domain) &&
            std::none_of(standing_.begin(), standing_.end(),
@@ -132,14 +132,14 @@ class Room {
 
  private:
   const sim::Settings& settings_;
-  std::vector<const sim::Shape*> standing_;  ///< near the nozzle
+  std::vector<const sim::Shape*> standing_;  ///< fixed obstacles near the nozzle
 };
 
-/// The shortest way from a place in a wall to where liquid can be.
+/// The shortest way from a place in a wall to a place that liquid can take up.
 struct WayOut {
   float length = 0;          ///< spacings
-  glm::vec3 direction{0.f};  ///< of unit length, about at right angles to the wall's face; null
-                             ///< where there is no way
+  glm::vec3 direction{0.f};  ///< of unit length, about normal to the wall's face; zero where there
+                             ///< is no way
 };
 
 /// A hundred directions of unit length, spread evenly: a golden-angle spiral on the sphere.
@@ -157,10 +157,11 @@ const std::array<glm::vec3, 100>& all_directions() {
   return directions;
 }
 
-constexpr float looked_beyond = 0.25f;  ///< a way's end, spacings
+/// The distance, in spacings, by which the directions of a way are looked at beyond its end.
+constexpr float looked_beyond = 0.25f;
 
-/// Looks in all directions for the nearest place that has room and `counts`, up to `most` spacings
-/// away.
+/// Looks in all directions for the nearest place that liquid can take up and for which `counts`
+/// returns true, up to `most` spacings away.
 template <class Counts>
 WayOut way_out(const Room& room, float spacing, const glm::vec3& place, float most,
                const Counts& counts) {
@@ -180,7 +181,8 @@ WayOut way_out(const Room& room, float spacing, const glm::vec3& place, float mo
     }
     return ways;
   };
-  // The first directions that get out are few; a little further on their mean is that of a cone.
+  // Only a few directions get out at first. A little further on they fill a cone, and their mean is
+  // its axis.
   for (float length = step; length < most; length += step)
     if (ways_of(length).count > 0) {
       const glm::vec3 sum = ways_of(length + looked_beyond).sum;
@@ -189,11 +191,12 @@ WayOut way_out(const Room& room, float spacing, const glm::vec3& place, float mo
   return {most, glm::vec3(0.f)};
 }
 
-/// Liquid must not be near the nozzle's on the other side of a wall that the nozzle lies in: it
-/// would see the layers that come in there. Measured: with 1.5 spacings from the wall's other side
-/// the solver's limits hold, with 1.3 the liquid is compressed by 7 %, with 1.0 by 25 %. Before the
-/// wall's face that the nozzle comes out of they hold too where it is turned by 20°, but not always
-/// by 30°.
+/// Checks that a wall around the nozzle is thick enough. Liquid on the wall's other side must not
+/// come near the liquid in the nozzle, as the layers that enter there would press on it. Measured:
+/// with 1.5 spacings to the wall's other side the solver's limits on compression hold, with 1.3 the
+/// liquid is compressed by 7 %, with 1.0 by 25 %. In front of the face that the nozzle comes out
+/// of, the limits hold where the nozzle is turned by 20° from the face's normal, but not always at
+/// 30°.
 std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening& opening,
                                      const std::string& path) {
   constexpr float needed = 1.5f, behind = 0.5f;  // spacings

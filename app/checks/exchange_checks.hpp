@@ -1,4 +1,4 @@
-// What can be wrong with emitters, sinks and open faces.
+// Checks the parts of a scene through which liquid enters and leaves: emitters and open faces.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace spindrift::app {
 
-/// What is wrong with a value of a scene, and which.
+/// A problem with a value of a scene: the value's key path, such as fluid.emitters[0], and what is
+/// wrong with it.
 struct Complaint {
   std::string path, message;
 };
 
-/// What is wrong with a scene's emitters, the first thing of each, and with its open faces.
+/// The problems of a scene's open faces, and the first problem of each of its emitters.
 std::vector<Complaint> check_exchange(const Scene& scene);
 
 }  // namespace spindrift::app

@@ -19,20 +19,20 @@ namespace spindrift::app {
 namespace {
 
 constexpr double most_particles = 2e8;
-constexpr float most_spacings_from_origin = 1e5f;  // single precision places them no better
-constexpr std::size_t longest_scene_name = 200;    // bytes; what is named after it has 255
+constexpr float most_spacings_from_origin = 1e5f;  // beyond, single precision is too coarse
+constexpr std::size_t longest_scene_name = 200;  // bytes; names of files made from it may have 255
 
 class Checker {
  public:
   Checker(const Scene& scene, const SceneDocument& document) : scene_(scene), document_(document) {}
 
-  /// All that is wrong.
+  /// Returns all problems of the scene.
   std::vector<Problem> check() {
     check_domain();
     check_obstacles();
     check_volumes();
     check_sinks();
-    if (problems_.empty()) {  // else there may be no liquid to look at, or far too much
+    if (problems_.empty()) {  // otherwise there may be no liquid to check, or far too much
       check_liquid();
       check_emitters();
     }
@@ -159,12 +159,13 @@ class Checker {
     }
   }
 
-  /// Liquid may reach half a spacing beyond the domain: no particle would be there.
+  /// Checks that a volume of liquid is inside the domain. It may reach half a spacing beyond, since
+  /// no particle would be placed there.
   void check_place(const sim::Shape& shape, const std::string& path) {
     const auto& domain = scene_.simulation.domain;
     const sim::Box bounds = sim::bounds_of(shape);
     if (!glm::all(glm::lessThan(domain.min, domain.max)))
-      return;  // nothing is inside; that has been told
+      return;  // an empty domain is reported by check_domain
     const float tolerance = 0.501f * scene_.simulation.fluid.spacing;
     if (glm::any(glm::lessThan(bounds.min, domain.min - tolerance)) ||
         glm::any(glm::greaterThan(bounds.max, domain.max + tolerance))) {
@@ -175,7 +176,7 @@ class Checker {
     }
   }
 
-  /// Something is left of every volume.
+  /// Checks that every volume has at least one particle outside of obstacles.
   void check_liquid() {
     const sim::Settings& settings = scene_.simulation;
     if (!is_cheap_to_fill(settings))
@@ -201,7 +202,7 @@ class Checker {
     }
   }
 
-  /// What is inside a mesh may surprise.
+  /// A hint for liquid that is inside a mesh, which may be solid against expectation; else empty.
   static std::string hint_of(const sim::Settings& settings, std::size_t obstacle) {
     const sim::Shape& shape = settings.obstacles[obstacle].shape;
     return std::holds_alternative<sim::TriangleMesh>(shape)
@@ -297,7 +298,7 @@ class Checker {
     }
   }
 
-  /// Where a probe has a place, it lies in the domain.
+  /// Checks that a probe that has a place lies in the domain.
   void check_probe_place(const sim::Probe& probe, const std::string& path) {
     const auto& domain = scene_.simulation.domain;
     glm::vec3 place = 0.5f * (domain.min + domain.max);

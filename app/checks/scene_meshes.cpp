@@ -12,16 +12,16 @@
 namespace spindrift::app {
 namespace {
 
-/// A mesh wider than this is more likely in another unit than meant to be so.
-constexpr float most_domains = 10.f;
-constexpr float most_spacings = 2000.f;
+// A mesh wider than these is more likely in another unit than meant to be so large.
+constexpr float most_domains = 10.f;     // widths of the domain
+constexpr float most_spacings = 2000.f;  // particle spacings
 
 float widest(const sim::Box& box) {
   const glm::vec3 size = box.max - box.min;
   return std::max({size.x, size.y, size.z});
 }
 
-/// Scaled, rotated about x, y and z in this order, and moved.
+/// Scales the surface, rotates it about x, y and z in this order, and moves it, as the mesh says.
 void place(sim::TriangleSurface& surface, const sim::TriangleMesh& mesh) {
   const glm::dmat3 turn = geometry::rotation_by(glm::dvec3(mesh.rotate));
   for (glm::vec3& v : surface.vertices) {
@@ -38,9 +38,11 @@ class MeshLoader {
         document_(document),
         folder_(std::move(folder)) {}
 
-  /// What is wrong with the meshes so far.
+  /// The problems of the meshes loaded so far.
   const std::vector<Problem>& problems() const { return problems_; }
 
+  /// Loads the mesh of a shape that is one.
+  /// @param owner key path of the volume, obstacle or sink that has the shape
   void load(sim::Shape& shape, const std::string& owner) {
     auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
     if (!mesh)
@@ -64,7 +66,7 @@ class MeshLoader {
     problems_.push_back(document_.problem(path, message));
   }
 
-  /// Empty where the size is right.
+  /// A message about a surface that is too small or too large; empty where its size is right.
   std::string wrong_size(const sim::TriangleSurface& surface) const {
     const float width = widest(sim::bounds_of(surface));
     const float most = std::min(most_domains * widest(domain_), most_spacings * spacing_);
@@ -83,7 +85,7 @@ class MeshLoader {
   std::vector<Problem> problems_;
 };
 
-/// Calls f(shape, path) for all shapes of a scene.
+/// Calls f(shape, path) for the shapes of all volumes, obstacles and sinks of a scene.
 template <class Scene, class F>
 void for_each_shape(Scene& scene, F f) {
   auto& simulation = scene.simulation;

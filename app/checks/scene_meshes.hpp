@@ -1,4 +1,4 @@
-// Meshes that a scene names, read and put in their places.
+// Loads the mesh files that a scene names and places the meshes in the scene.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace spindrift::app {
 
-/// Reads the mesh files of all volumes, obstacles and sinks. @param folder that their paths start
-/// from
-/// @throws SceneError that names the value's place
+/// Reads the mesh files of all volumes, obstacles and sinks, and sets the bodies of these meshes.
+/// @param folder the folder to which the files' paths are relative
+/// @throws SceneError with the place of every mesh that can't be used
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
 
-/// The scene's meshes that have cavities, with the path of each.
+/// A warning for every mesh of the scene that has cavities.
 std::vector<Complaint> mesh_warnings(const Scene& scene);
 
 }  // namespace spindrift::app

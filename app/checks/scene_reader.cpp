@@ -34,7 +34,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& source,
   read_document(document, scene);
   auto& fluid = scene.simulation.fluid;
   if (!fluid.emitters.empty() && !document.root().at("fluid").contains("volumes"))
-    fluid.volumes.clear();  // the column that stands where nothing is said
+    fluid.volumes.clear();  // emitters replace the default volume
   load_meshes(scene, document, source.parent_path());
   check_scene(scene, document);
   return scene;

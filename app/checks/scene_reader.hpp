@@ -1,4 +1,4 @@
-// Files in the manner of scenes: JSON into settings, by tables of their keys.
+// Reads the text of scene files, and of the sweep and golden-picture files that are like them.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,13 @@
 
 namespace spindrift::app {
 
-/// A file's text. @throws SceneError when it can't be read, or is longer than any scene
+/// The text of a file.
+/// @throws SceneError when the file can't be read, or is longer than 32 MB
 std::string scene_text(const std::filesystem::path& file);
 
-/// The same of a stream, to its end. @param source names it in messages
+/// The text of a stream, up to its end.
+/// @param source name of the stream in messages
+/// @throws SceneError when the text is longer than 32 MB
 std::string scene_text(std::istream& stream, const std::string& source);
 
 }  // namespace spindrift::app

@@ -19,8 +19,9 @@
 namespace spindrift::app {
 namespace {
 
-constexpr double told_from = 0.01;  // part of a volume's liquid
+constexpr double told_from = 0.01;  // least part of a volume's liquid that is worth a warning
 
+/// Collects the warnings of a scene, but for those of its meshes.
 class Warnings {
  public:
   explicit Warnings(const Scene& scene) : scene_(scene), settings_(scene.simulation) {}
@@ -48,7 +49,7 @@ class Warnings {
       look_at_volume(filled[i], each, i);
   }
 
-  /// @param each what one particle stands for, m³
+  /// @param each volume of one particle, m³
   void look_at_volume(const sim::FilledVolume& filled, double each, std::size_t number) {
     const std::string path = child_path("fluid.volumes", number);
     const sim::Shape& shape = settings_.fluid.volumes[number].shape;
@@ -74,8 +75,8 @@ class Warnings {
     }
   }
 
-  /// The equation of state lets the liquid be compressed by about (v/c)²: v is the fastest speed of
-  /// the scene, c the speed of sound (Monaghan 1994).
+  /// Warns of a low speed of sound. The equation of state lets the liquid be compressed by about
+  /// (v/c)², where v is the fastest speed of the scene and c the speed of sound (Monaghan 1994).
   void look_at_speed_of_sound() {
     const float given = settings_.solver.speed_of_sound;
     if (settings_.solver.type != sim::SolverType::sph || given <= 0)
@@ -123,7 +124,7 @@ class Warnings {
                             nozzle.release_time(0), end));
       return;
     }
-    // Particles come into the nozzle at its far end, where there must be room.
+    // Particles enter the nozzle at the end behind the opening, where there must be room.
     const sim::StandingBodies bodies(settings_);
     const double entry = nozzle.entry_time(nozzle.layer_count() - 1);
     std::vector<std::size_t> taken(settings_.fluid.volumes.size());

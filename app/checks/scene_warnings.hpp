@@ -1,4 +1,4 @@
-// What a scene asks for and can't have, though it can be simulated.
+// Warnings about scenes that can be simulated but will not do all that they ask for.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace spindrift::app {
 
-/// Meshes with cavities, liquid that has no place, in litres asked for and got, obstacles outside
-/// the domain, emitters that bring nothing, and a speed of sound (sph) that lets the liquid be
-/// compressed; each with the path of what is meant.
+/// The warnings of a scene, each with the key path of the value it is about. They concern meshes
+/// with cavities, liquid that has no place (with the litres asked for and got), obstacles outside
+/// the domain, emitters that bring nothing, and a speed of sound (solver type sph) so low that the
+/// liquid would be compressed.
 std::vector<Complaint> warnings_of(const Scene& scene);
 
-/// Prints them to standard error.
+/// Prints the warnings of a scene to standard error.
 void print_warnings(const Scene& scene);
 
 }  // namespace spindrift::app
