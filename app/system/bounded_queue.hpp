@@ -1,5 +1,5 @@
-// Hands things from one thread to the next; a full queue makes the giver wait, so that a fast stage
-// does not pile up frames before a slow one.
+// A queue of limited length between two threads. A full queue makes the giver wait, so that a fast
+// stage of the pipeline does not pile up frames before a slow one.
 #pragma once
 
 #include <condition_variable>
@@ -9,12 +9,15 @@
 
 namespace spindrift::app {
 
+/// A first-in, first-out queue that any thread may use.
 template <class T>
 class BoundedQueue {
  public:
+  /// @param capacity the largest number of items in the queue
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// False when the queue has been closed: the thing is not wanted any more.
+  /// Appends an item, and waits while the queue is full.
+  /// @return false when the queue has been closed; the item is then dropped
   bool push(T value) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || items_.size() < capacity_; });
@@ -25,7 +28,8 @@ class BoundedQueue {
     return true;
   }
 
-  /// Nothing when the queue is closed and empty.
+  /// Takes the oldest item, and waits while there is none.
+  /// @return nothing when the queue is closed and empty
   std::optional<T> pop() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return closed_ || !items_.empty(); });
@@ -37,6 +41,8 @@ class BoundedQueue {
     return value;
   }
 
+  /// Lets nobody wait any longer: no more items are taken in, those in the queue can still be
+  /// popped.
   void close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;

@@ -10,7 +10,7 @@ Heartbeat::Heartbeat(std::chrono::milliseconds quiet, std::function<void()> say)
   try {
     thread_ = std::jthread([this](const std::stop_token& stop) { wait(stop); });
   } catch (const std::system_error&) {
-    // Whatever needs threads says that there are none.
+    // Whatever needs threads reports that none can be started.
   }
 }
 

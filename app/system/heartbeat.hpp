@@ -1,4 +1,4 @@
-// A sign of life while something takes long.
+// Repeats a sign of life while something takes long, such as a progress line.
 #pragma once
 
 #include <chrono>
@@ -9,17 +9,19 @@
 
 namespace spindrift::app {
 
+/// Calls a function whenever nothing has been reported for a while.
 class Heartbeat {
  public:
-  /// Calls `say`, in a thread of its own, whenever beat() has not been called for so long, and
-  /// again after as long. Where there is no thread to be had it says nothing.
+  /// Starts a thread that calls `say` whenever beat() has not been called for the time `quiet`, and
+  /// again each time that `quiet` has passed. Where no thread can be started, `say` is never
+  /// called.
   Heartbeat(std::chrono::milliseconds quiet, std::function<void()> say);
-  /// `say` is not called any more once this returns.
+  /// Ends the thread; `say` is not called any more once the destructor returns.
   ~Heartbeat() = default;
   Heartbeat(const Heartbeat&) = delete;
   Heartbeat& operator=(const Heartbeat&) = delete;
 
-  /// Something else has been said.
+  /// Starts the quiet time anew, because something else has been reported.
   void beat();
 
  private:
@@ -30,7 +32,7 @@ class Heartbeat {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   bool beaten_ = false;
-  std::jthread thread_;  // last: it ends before what it uses
+  std::jthread thread_;  // the last member, so that it ends before what it uses is destroyed
 };
 
 }  // namespace spindrift::app

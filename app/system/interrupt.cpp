@@ -6,17 +6,17 @@
 namespace spindrift::app {
 namespace {
 
-// A signal handler can reach nothing else.
+// This is a global variable because a signal handler can reach nothing else.
 std::atomic<bool> interrupted{false};
 
 void on_signal(int signal) {
   interrupted = true;
-  // A lost terminal is told of twice: by the shell, and by the system when the shell ends.
+  // The loss of a terminal is signalled twice: by the shell, and by the system when the shell ends.
   if (signal != SIGHUP)
     std::signal(signal, SIG_DFL);
 }
 
-/// Whether nohup has asked for the run to go on without its terminal.
+/// Whether SIGHUP is ignored, as nohup has it so that a run goes on without its terminal.
 bool hangup_is_ignored() {
   struct sigaction now {};
   return ::sigaction(SIGHUP, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
@@ -31,7 +31,7 @@ InterruptGuard::InterruptGuard() : hears_hangup_(!hangup_is_ignored()) {
 
 InterruptGuard::~InterruptGuard() {
   set(SIG_DFL);
-  // The second word of a lost terminal may come while what was finished is being reported.
+  // The second SIGHUP of a lost terminal may come while the finished part is being reported.
   if (hears_hangup_ && interrupted)
     std::signal(SIGHUP, SIG_IGN);
 }

@@ -1,11 +1,13 @@
-// Ctrl-C as a flag: the first one asks a run to end well, the second ends it at once. So do
-// SIGTERM, and the loss of the terminal (SIGHUP), unless that is ignored, as nohup has it.
+// Turns Ctrl-C (SIGINT) into a flag: the first asks a run to end in good order, the second ends it
+// at once. SIGTERM does the same, and so does the loss of the terminal (SIGHUP), unless SIGHUP is
+// ignored, as under nohup.
 #pragma once
 
 #include <atomic>
 
 namespace spindrift::app {
 
+/// Handles these signals as long as it lives. There must be at most one at a time.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -13,6 +15,7 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+  /// Becomes true when a signal asks the run to end.
   static const std::atomic<bool>& requested();
 
  private:

@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line such as "MemTotal:     16384 kB" of /proc/meminfo, bytes.
+/// The bytes that a line of /proc/meminfo such as "MemTotal:     16384 kB" states; UINT64_MAX where
+/// there is no such line.
 std::uint64_t memory_line(std::string_view name) {
   std::ifstream stream("/proc/meminfo");
   for (std::string line; std::getline(stream, line);)
@@ -22,13 +23,14 @@ std::uint64_t memory_line(std::string_view name) {
   return UINT64_MAX;
 }
 
-/// A file that holds a number of bytes; no limit where there is none, or it holds a word.
+/// The number of bytes that a file holds; UINT64_MAX where there is no file, or it holds a word.
 std::uint64_t limit_in(const fs::path& file) {
   std::uint64_t bytes = 0;
   return std::ifstream(file) >> bytes ? bytes : UINT64_MAX;
 }
 
-/// Of this process's control group and those above it (version 2), or of version 1.
+/// The memory limit, bytes, of this process's control group and the groups above it (version 2), or
+/// of version 1.
 std::uint64_t control_group_limit() {
   std::uint64_t limit = std::min(limit_in("/sys/fs/cgroup/memory.max"),
                                  limit_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));

@@ -1,4 +1,4 @@
-// What the machine has room for.
+// The memory and disk space that the machine has, and errors that come from having too little.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@
 
 namespace spindrift::app {
 
-/// Memory that this process can have at the very most, bytes: the machine's, a container's (control
-/// group), or its limit of address space.
+/// The most memory that this process can have, bytes: the least of the machine's memory, the
+/// container's limit (control group) and the process's limit of address space.
 std::uint64_t most_memory();
 
-/// Memory that is free now, less a tenth, and no more than most_memory(), bytes.
+/// Nine tenths of the memory that is free now, and of most_memory() where that is less, bytes.
 std::uint64_t free_memory();
 
-/// Room on the disk of a folder, which need not be there yet, bytes.
+/// The free space, bytes, on the disk of a folder, which need not exist yet.
 std::uint64_t free_disk(const std::filesystem::path& folder);
 
-/// "1.5 GB".
+/// A number of bytes as text, such as "1.5 GB".
 std::string bytes_text(double bytes);
 
-/// What stopped a command, in words, also where the machine has no more of something.
+/// The error that stopped a command, in words; memory that ran out is described with its limit.
 std::string reason_of(const std::exception& error);
 
 }  // namespace spindrift::app

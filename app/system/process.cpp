@@ -21,6 +21,7 @@ constexpr int stop_check_milliseconds = 100;
   throw std::system_error(error, std::generic_category(), what);
 }
 
+/// A file descriptor that is closed at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {
@@ -41,7 +42,7 @@ class Descriptor {
   int number_;
 };
 
-/// A file in memory: what is written to one neither waits for its reader nor fills a pipe.
+/// A file in memory. Unlike a pipe it never fills, so that writing to it waits for no reader.
 Descriptor memory_file() {
   return Descriptor(::memfd_create("spindrift", MFD_CLOEXEC));
 }
@@ -57,7 +58,8 @@ void write_all(const Descriptor& file, std::string_view text) {
   ::lseek(file.number(), 0, SEEK_SET);
 }
 
-/// Appends what can be read now; false at the end.
+/// Appends what can be read now.
+/// @return false at the end of the file
 bool read_some(const Descriptor& file, std::string& text) {
   char bytes[16384];
   const ssize_t count = ::read(file.number(), bytes, sizeof bytes);
@@ -76,7 +78,7 @@ pid_t spawn(const std::vector<std::string>& command, int in, int out, int err) {
   ::posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, err, STDERR_FILENO);
-  posix_spawnattr_t attributes;  // signals that are ignored here have their usual effect there
+  posix_spawnattr_t attributes;  // restore the signals that this process ignores
   ::posix_spawnattr_init(&attributes);
   sigset_t usual;
   ::sigemptyset(&usual);

@@ -15,6 +15,7 @@
 namespace spindrift::app {
 namespace {
 
+/// Writes to standard error and drops what can't be written, so that the stream never fails.
 ssize_t write_what_can_be(void*, const char* text, std::size_t size) {
   std::size_t written = 0;
   while (written < size) {
@@ -26,6 +27,7 @@ ssize_t write_what_can_be(void*, const char* text, std::size_t size) {
   return static_cast<ssize_t>(size);
 }
 
+/// Ends the process with a sentence about the error that nothing has caught.
 [[noreturn]] void end_in_words() {
   try {
     if (const std::exception_ptr error = std::current_exception())

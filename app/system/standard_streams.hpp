@@ -1,16 +1,18 @@
-// What the process does where nobody reads, where a file may not grow, and where memory is short.
+// Makes the process report closed streams, full files and missing memory in words.
 #pragma once
 
 namespace spindrift::app {
 
-/// From here on, writing where nobody reads (SIGPIPE) or beyond the largest file allowed (SIGXFSZ)
-/// fails in words instead of ending the process; what can't be written to stderr, say since the
-/// terminal is gone, is dropped; and an error that nothing catches, such as memory that is short
-/// in a loop shared by threads, ends in a sentence and the exit code of a failed run.
+/// Sets up signals and streams for the rest of the process. Writing where nobody reads (SIGPIPE) or
+/// beyond the largest file allowed (SIGXFSZ) then fails with an error instead of ending the
+/// process. Text that can't be written to stderr, for example because the terminal is gone, is
+/// dropped. An error that nothing catches, such as memory running out in a loop shared by threads,
+/// ends the process with a sentence on stderr and exit code run_failed.
 void prepare_process();
 
-/// Whether all that was printed has reached its reader; says on stderr where it has not, unless the
-/// reader is gone.
+/// Flushes standard output.
+/// @return whether all that was printed has reached its reader; if not, the reason is on stderr,
+/// unless the reader is gone
 bool all_printed();
 
 }  // namespace spindrift::app

@@ -13,6 +13,7 @@
 namespace spindrift::app {
 namespace {
 
+/// One call of run_tasks: the states of its tasks, and the threads that run them.
 class Pool {
  public:
   Pool(const std::vector<Task>& tasks, const PoolLimits& limits, const std::atomic<bool>& stop,
@@ -33,7 +34,7 @@ class Pool {
         threads.push_back(started_thread([this] { work(); }));
     } catch (const std::runtime_error&) {
       if (threads.empty())
-        throw;  // else those that there are do it all
+        throw;  // otherwise the threads that were started do all the work
     }
     for (std::thread& thread : threads)
       thread.join();
@@ -76,8 +77,8 @@ class Pool {
     return std::find(states_.begin(), states_.end(), State::waiting) == states_.end();
   }
 
-  /// The first task that can begin, or the number of all tasks. On the way, those that never can
-  /// are given up.
+  /// The index of the first task that can begin now, or the number of all tasks if none can. Tasks
+  /// before it that never can begin are given up.
   std::size_t next_ready() {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       if (states_[i] != State::waiting)
@@ -144,7 +145,7 @@ class Pool {
   std::condition_variable changed_;
   std::vector<State> states_;
   std::vector<TaskResult> results_;
-  std::uint64_t bytes_ = 0;  ///< of the running tasks
+  std::uint64_t bytes_ = 0;  ///< memory that the running tasks need
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Tasks that run beside each other, as many as the machine has room for.
+// Runs tasks in parallel, as many at once as the machine has room for.
 #pragma once
 
 #include <atomic>
@@ -10,35 +10,38 @@
 namespace spindrift::app {
 
 struct Task {
-  std::string label;                    ///< what is being done, for people
-  std::function<std::string()> run;     ///< does it; returns why it failed, or nothing
-  std::uint64_t bytes = 0;              ///< memory that it needs, about
-  double seconds = 0;                   ///< that it takes, about, to tell how far all are
-  std::vector<std::size_t> after = {};  ///< tasks that must be done before; they stand before it
+  std::string label;                    ///< says what is being done, for people
+  std::function<std::string()> run;     ///< does the task; returns why it failed, or empty text
+  std::uint64_t bytes = 0;              ///< approximate memory that the task needs
+  double seconds = 0;                   ///< approximate duration, for the progress of the pool
+  std::vector<std::size_t> after = {};  ///< indices, less than its own, of tasks to be done first
 };
 
 struct TaskResult {
   bool done = false;
-  std::string failure;  ///< empty, and not done: it was not begun, or stopped
+  std::string failure;  ///< why the task failed; empty where it is done, not begun or stopped
 };
 
-/// How far a pool is.
+/// The progress of a pool.
 struct PoolStatus {
   std::size_t finished = 0;
   std::size_t all = 0;
-  double part = 0;                   ///< of all work, 0 ... 1, by the tasks' seconds
-  std::vector<std::string> running;  ///< labels
+  double part = 0;                   ///< finished part of the work by the tasks' seconds, 0 ... 1
+  std::vector<std::string> running;  ///< labels of the running tasks
 };
 
 struct PoolLimits {
-  int at_once = 1;          ///< tasks
-  std::uint64_t bytes = 0;  ///< memory that the running ones may need together
+  int at_once = 1;          ///< number of tasks that may run at once
+  std::uint64_t bytes = 0;  ///< memory that the running tasks may need together
 };
 
-/// Runs all tasks, those that stand first first; one that failed keeps those after it from running,
-/// with its failure as theirs, and no others.
-/// @param stop when it becomes true, no more are begun; the running ones see to it themselves
+/// Runs all tasks, earlier ones first. Tasks that come after a failed task, by their `after`, are
+/// not run and get its failure; all others are run.
+/// @param stop lets no more tasks begin when it becomes true; running tasks must watch it
+/// themselves
 /// @param on_change called whenever a task begins or ends, by one thread at a time
+/// @return the tasks' results, in the order of the tasks
+/// @throws std::runtime_error when not a single thread can be started
 std::vector<TaskResult> run_tasks(const std::vector<Task>& tasks, const PoolLimits& limits,
                                   const std::atomic<bool>& stop,
                                   const std::function<void(const PoolStatus&)>& on_change);

@@ -13,9 +13,9 @@
 namespace spindrift::app {
 namespace {
 
-/// Why there are no more threads, while those that there are still run.
+/// Why no more threads can be started. It must be called while the started threads still run.
 std::string why_no_more(const std::system_error& error) {
-  constexpr std::size_t stack_bytes = std::size_t{8} << 20;  // what a thread takes, unless told
+  constexpr std::size_t stack_bytes = std::size_t{8} << 20;  // the default size of a thread's stack
   return shortage(stack_bytes).value_or(error.code().message());
 }
 
