@@ -41,8 +41,8 @@ class BoundedQueue {
     return value;
   }
 
-  /// Lets nobody wait any longer: no more items are taken in, those in the queue can still be
-  /// popped.
+  /// Closes the queue: it takes no more items and nobody waits any longer, but the items in it can
+  /// still be popped.
   void close() {
     const std::lock_guard lock(mutex_);
     closed_ = true;
