@@ -9,13 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double bytes_per_kept_particle = 40;  // position, velocity and four numbers
+constexpr double bytes_per_kept_particle = 40;  // position, velocity and four further numbers
 constexpr double bytes_per_kept_boundary_particle = 4;
 constexpr double bytes_per_exported_particle = 36;
 // Measured on pictures of the shipped scenes: 0.3 at 1280x720 pixels, 0.3 to 0.75 at 480x270.
 constexpr double png_bytes_per_pixel = 0.5;
-constexpr double video_bytes_per_pixel = 0.013;  // at quality 18; six more halve it
-// Vertices of a liquid's surface and its triangles, for each particle in its outermost layer.
+constexpr double video_bytes_per_pixel = 0.013;  // at quality 18; adding 6 to the quality halves it
+// Bytes of the surface's vertices and triangles for each particle in the liquid's outermost layer.
 constexpr double mesh_bytes_per_surface_particle = 250;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How much room on the disk a run's files take, without running it.
+// Estimates the disk space that a run's files take, without running it.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,25 @@
 
 namespace spindrift::app {
 
-/// Bytes, roughly; those of kept particles are exact where nothing comes or goes.
+/// Rough sizes of a run's files in bytes. Those of cached particles are exact where no emitter,
+/// sink or open face changes the number of particles.
 struct DiskEstimate {
-  double particles = 0;  ///< kept, to go on with
+  double particles = 0;  ///< particle cache, from which a run can be continued
   double pictures = 0;
   double video = 0;
-  double exports = 0;
+  double exports = 0;  ///< exported particles and meshes
 
   double sum() const { return particles + pictures + video + exports; }
 };
 
-/// @param cost of the scene
+/// Estimates the sizes of all files that a run with these options writes.
+/// @param cost the estimated cost of the scene, for its numbers of particles
 DiskEstimate disk_estimate(const Scene& scene, const RenderOptions& options, const Estimate& cost);
 
-/// Bytes of files that a run has left in its folder, and would keep or replace.
+/// The size, bytes, of files of earlier runs in the output folder that a run would keep or replace.
 std::uint64_t bytes_there(const Scene& scene, const RenderOptions& options);
 
-/// Bytes of all files in a folder and below; 0: there is none.
+/// The size, bytes, of all files in a folder and below it; 0 where there is no such folder.
 std::uint64_t folder_bytes(const std::filesystem::path& folder);
 
 }  // namespace spindrift::app

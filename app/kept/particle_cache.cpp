@@ -17,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// They change whenever the layout of the file does.
+// The first bytes of the files. They change whenever the layout of the file does.
 constexpr std::string_view frame_magic = "SPNDFRM6";
 constexpr std::string_view readings_magic = "SPNDRDG1";
 
-/// Which frame of which simulation a file is of.
+/// Says which frame of which simulation a file belongs to.
 struct Label {
-  std::array<char, 32> simulation{};  ///< its hash
-  std::int64_t number = 0;
+  std::array<char, 32> simulation{};  ///< hash of the simulation, in hexadecimal
+  std::int64_t number = 0;            ///< number of the frame
 };
 
 struct Header {
@@ -57,6 +57,7 @@ T read_one(CheckedReader& in) {
   return value;
 }
 
+/// Checks that a file's label is the expected one.
 /// @throws std::runtime_error for a file of another frame or another simulation
 void require_label(const Label& found, const Label& expected, const fs::path& file) {
   if (found.simulation != expected.simulation || found.number != expected.number)
@@ -65,7 +66,7 @@ void require_label(const Label& found, const Label& expected, const fs::path& fi
                                          expected.number, text_of(expected)));
 }
 
-/// What f returns; nothing where it throws, unless that is for want of memory.
+/// The result of f, or nothing where f throws. Only std::bad_alloc is passed on.
 template <class F>
 auto or_nothing(F f) -> std::optional<decltype(f())> {
   try {

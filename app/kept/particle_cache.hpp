@@ -1,5 +1,5 @@
-// Particles kept on disk, a file per frame, so that a simulation is not done twice and can be gone
-// on with.
+// The cache of simulated particles on disk, one file per frame, so that a simulation is not done
+// twice and can be continued.
 #pragma once
 
 #include <filesystem>
@@ -11,46 +11,51 @@
 
 namespace spindrift::app {
 
-/// A frame and what happened on the way to it.
+/// A frame and the statistics of the time steps that led to it.
 struct KeptFrame {
   sim::Frame frame;
   sim::FrameStatistics statistics;
 };
 
-/// A folder of one simulation's frames, numbered from 0. Each file names its simulation and its
-/// number and bears a checksum, so that a damaged or foreign one is told from a good one.
+/// A folder with the frames of one simulation, numbered from 0. Each file holds the simulation's
+/// hash, its frame's number and a checksum, so that damaged and foreign files are recognised.
 class ParticleCache {
  public:
-  /// @param simulation the hash of the simulation that the files must be of
+  /// @param simulation hash of the simulation that the files must belong to
   ParticleCache(std::filesystem::path folder, std::string simulation)
       : folder_(std::move(folder)), simulation_(std::move(simulation)) {}
 
-  /// The folder of somebody else's run: its simulation is that of its first frame.
-  /// @throws std::runtime_error that names the file when that can't be read
+  /// Opens the folder of any run and takes the simulation's hash from its first frame.
+  /// @throws std::runtime_error that names the first frame's file when it can't be read
   explicit ParticleCache(std::filesystem::path folder);
 
   /// The hash of the simulation.
   const std::string& simulation() const { return simulation_; }
 
+  /// Reads a frame.
   /// @throws std::runtime_error that names the file when it is missing, damaged, of another format,
-  /// or not this frame of this simulation.
+  /// or not this frame of this simulation
   KeptFrame read(int number) const;
-  /// The same, or nothing where there is no good file.
+  /// Reads a frame; nothing where it is missing or can't be used.
   std::optional<KeptFrame> find(int number) const;
-  /// Writes a frame, in place of whatever has its name.
-  /// @throws std::runtime_error that names the file when it can't be written.
+  /// Writes a frame, in place of whatever has its file's name.
+  /// @throws std::runtime_error that names the file when it can't be written
   void write(int number, const KeptFrame& kept) const;
 
-  /// What probes read on the way to a frame, beside it. @param name tells the probes apart
+  /// Writes the values that probes read between the frame before and this frame into a file beside
+  /// the frame's.
+  /// @param name tells different sets of probes apart
+  /// @throws std::runtime_error that names the file when it can't be written
   void write_readings(int number, const std::string& name, const std::vector<double>& values) const;
-  /// Nothing where none are kept, or none that can be used.
+  /// Reads these values; nothing where they are missing or can't be used.
   std::optional<std::vector<double>> read_readings(int number, const std::string& name) const;
 
-  /// How the frames were simulated, beside them.
+  /// Writes the record of how the frames were simulated into a file beside them.
   void write_record(const SimulationRecord& record) const;
-  /// Nothing where it is not known.
+  /// Reads that record; nothing where it is missing or can't be used.
   std::optional<SimulationRecord> read_record() const;
 
+  /// The path of a frame's file.
   std::filesystem::path file(int number) const;
 
  private:

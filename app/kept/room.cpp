@@ -13,7 +13,8 @@
 namespace spindrift::app {
 namespace {
 
-/// @param needed bytes
+/// Refuses or warns of a run that needs more memory than there is.
+/// @param needed memory, bytes
 void require_memory(double needed, const RenderOptions& options) {
   const auto most = static_cast<double>(most_memory());
   if (needed > most && !options.force)
@@ -37,7 +38,8 @@ void require_disk(const Scene& scene, const RenderOptions& options, const Estima
       "this takes about {} of disk space, {} of it for kept particles, and {} are free for {}",
       bytes_text(needed.sum() - there), bytes_text(needed.particles), bytes_text(free),
       options.output.string());
-  // What emitters bring and sinks take is a guess; what is kept of a tank is not.
+  // The number of particles that emitters bring and sinks take is a guess, so that only runs
+  // without exchange are refused.
   const bool certain = !scene.simulation.exchanges_particles() && needed.particles - there > free;
   if (certain && !options.force)
     throw InputError(figures +

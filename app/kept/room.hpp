@@ -1,4 +1,4 @@
-// Whether a run fits into the machine.
+// Checks before a run whether it fits into the machine.
 #pragma once
 
 #include "app/errors/errors.hpp"
@@ -7,8 +7,9 @@
 
 namespace spindrift::app {
 
-/// Refuses a run that can't fit into memory or on the disk, unless the options override that, and
-/// warns of one that may not. @throws InputError with the figures and what to do
+/// Refuses a run that can't fit into memory or on the disk, unless the options force it, and warns
+/// on stderr of a run that may not fit, or that has more threads than the machine has processors.
+/// @throws InputError with the figures and what to do
 void require_room(const Scene& scene, const RenderOptions& options);
 
 }  // namespace spindrift::app
