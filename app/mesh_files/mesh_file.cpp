@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In small letters, with its point.
+/// The file name's extension with its point, in lower case.
 std::string ending(const fs::path& file) {
   std::string text = file.extension().string();
   std::transform(text.begin(), text.end(), text.begin(),
@@ -31,7 +31,8 @@ bool is_mesh_file(const fs::path& file) {
   return ending(file) == ".obj" || ending(file) == ".ply";
 }
 
-/// "; did you mean ...?" with the most similar mesh file of the folder, if there is one.
+/// "; did you mean ...?" with the mesh file of the folder whose name is most similar, or empty
+/// where none is similar.
 std::string similar_file(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::vector<std::string> there;
@@ -45,7 +46,8 @@ std::string similar_file(const fs::path& file) {
   return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
 }
 
-/// @throws MeshError, which does not name the file, as all of them
+/// The content of a file.
+/// @throws MeshError which, like all MeshErrors, does not name the file
 std::string bytes_of(const fs::path& file) {
   try {
     return output::read_file(file);

@@ -1,4 +1,5 @@
-// Wavefront OBJ (Alias|Wavefront, "Object files (.obj)", 1995), of which vertices and faces count.
+// Reads the vertices and faces of Wavefront OBJ files (Alias|Wavefront, "Object files (.obj)",
+// 1995).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,8 +14,8 @@
 namespace spindrift::app {
 namespace {
 
-/// Calls f(keyword, rest) for each line; a backslash at its end continues it.
-/// @throws MeshError of f, with the line's number in front
+/// Calls f(keyword, rest) for each line. A backslash at the end of a line joins it with the next.
+/// @throws MeshError when f does, with the line's number in front of the message
 template <class F>
 void for_each_line(std::string_view text, F f) {
   std::string joined;
@@ -52,9 +53,11 @@ glm::vec3 read_vertex(std::string_view rest) {
   return vertex;
 }
 
-/// The place among all vertices that a word of a face names: the first number of "7/3/2", from 1
-/// or, when negative, from the last vertex before it, −1.
-/// @param before so many vertices stand before the face @param all so many are in the file
+/// The index, from 0, of the vertex that a word of a face such as "7/3/2" names. Only its first
+/// number counts: it is counted from 1 or, when negative, backwards from −1, the last vertex before
+/// the face.
+/// @param before number of vertices before the face
+/// @param all number of vertices in the file
 std::uint32_t read_corner(std::string_view word, std::size_t before, std::size_t all) {
   const auto number = number_of<std::int64_t>(word.substr(0, word.find('/')));
   if (!number)

@@ -1,4 +1,4 @@
-// PLY (Turk 1994, "The PLY polygon file format"), of which vertices and faces count.
+// Reads the vertices and faces of PLY files (Turk 1994, "The PLY polygon file format").
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,13 +20,13 @@ namespace {
 
 enum class PlyEncoding { text, little_endian, big_endian };
 
-/// A kind of number: its names, how it is written in binary, and what it can be.
+/// A number type of the format.
 struct PlyType {
   std::string_view name, other_name;
-  std::size_t bytes;
-  bool whole, negative;
+  std::size_t bytes;     ///< size in binary files
+  bool whole, negative;  ///< whether it holds whole numbers only, and whether negative ones
 
-  /// The largest and least of whole numbers.
+  /// The largest value of a type of whole numbers; min() is the least.
   double max() const { return std::exp2(8. * double(bytes) - (negative ? 1. : 0.)) - 1.; }
   double min() const { return negative ? -max() - 1. : 0.; }
 };
@@ -42,15 +42,16 @@ constexpr std::array<PlyType, 8> ply_types{{{"char", "int8", 1, true, true},
 struct PlyProperty {
   std::string_view name;
   const PlyType* type;
-  const PlyType* count;  ///< of a list's entries; none: a single number
+  const PlyType* count;  ///< type of a list's length; null for a single number
 };
 
+/// A kind of record, such as vertex or face.
 struct PlyElement {
   std::string_view name;
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;  ///< number of records in the file
   std::vector<PlyProperty> properties = {};
 
-  /// Bytes of each at the least.
+  /// The least number of bytes that one record takes.
   std::size_t least_bytes(PlyEncoding encoding) const {
     std::size_t sum = 0;
     for (const PlyProperty& p : properties) {
@@ -66,7 +67,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Reads the lines up to end_header and takes them off.
+/// Reads the header's lines, up to end_header, and removes them from the front of the bytes.
 class PlyHeaderReader {
  public:
   explicit PlyHeaderReader(std::string_view& bytes) : bytes_(bytes) {}
@@ -87,7 +88,7 @@ class PlyHeaderReader {
     throw MeshError("is cut short: its header has no end (end_header)");
   }
 
-  /// The line that was read last, from 1.
+  /// The number of the line that was read last, counted from 1.
   std::size_t line() const { return line_; }
 
  private:
@@ -161,14 +162,16 @@ class PlyHeaderReader {
   bool has_format_ = false;
 };
 
-/// What follows the header, number by number.
+/// Reads the part of a file after the header, number by number.
 class PlyBody {
  public:
-  /// @param offset, line where it starts in the file, in bytes from 0 and in lines from 1
+  /// @param bytes the part after the header
+  /// @param offset position of that part in the file, in bytes from 0
+  /// @param line number of its first line in the file, from 1
   PlyBody(std::string_view bytes, PlyEncoding encoding, std::size_t offset, std::size_t line)
       : bytes_(bytes), rest_(bytes), encoding_(encoding), offset_(offset), line_(line) {}
 
-  /// Whether there is room for so many things of at least so many bytes.
+  /// Whether the rest of the file is long enough for `count` items of at least `least_bytes` each.
   bool has(std::uint64_t count, std::size_t least_bytes) const {
     const std::size_t last_space = encoding_ == PlyEncoding::text ? 1 : 0;
     return least_bytes == 0 || count <= (rest_.size() + last_space) / least_bytes;
@@ -178,7 +181,7 @@ class PlyBody {
     return encoding_ == PlyEncoding::text ? next_in_text(type) : next_in_binary(type);
   }
 
-  /// The length of a list, whose entries there is room for.
+  /// Reads the length of a list, and checks that the rest of the file can hold its entries.
   std::uint64_t next_length(const PlyProperty& list) {
     const double length = next(*list.count);
     if (length < 0)
@@ -257,7 +260,7 @@ class PlyBody {
   std::size_t offset_, line_;
 };
 
-/// Reads the elements in their order.
+/// Reads the elements of a file in their order, and keeps the vertices and the triangles of faces.
 class PlySurfaceReader {
  public:
   PlySurfaceReader(PlyBody body, PlyEncoding encoding) : body_(body), encoding_(encoding) {}
@@ -295,7 +298,7 @@ class PlySurfaceReader {
   }
 
   void read_vertices(const PlyElement& element) {
-    std::vector<int> axes;  // of each property; -1: none
+    std::vector<int> axes;  // axis of each property, or -1 for one that is no coordinate
     for (const PlyProperty& p : element.properties) {
       const bool is_axis = !p.count && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z';
       axes.push_back(is_axis ? p.name[0] - 'x' : -1);
@@ -354,7 +357,8 @@ class PlySurfaceReader {
     }
   }
 
-  /// @throws MeshError of f, with its place in front
+  /// Calls f.
+  /// @throws MeshError when f does, with the place in the file in front of the message
   template <class F>
   void placed(F f) {
     try {

@@ -1,4 +1,5 @@
-// Mesh files as bytes, made into triangles. Every number is checked before it is used.
+// Parsers that turn the bytes of OBJ and PLY files into triangles, and their helpers. Every number
+// is checked before it is used.
 #pragma once
 
 #include <charconv>
@@ -11,15 +12,17 @@ namespace spindrift::app {
 
 using geometry::MeshError;
 
-/// The vertices (v) and faces (f) of a Wavefront OBJ; polygons are cut up, all else is left out,
-/// materials too. @throws MeshError with the line and what is wrong there
+/// Reads the vertices (v) and faces (f) of a Wavefront OBJ file. Polygons are cut into triangles;
+/// everything else, materials included, is skipped.
+/// @throws MeshError with the line and what is wrong there
 geometry::TriangleSurface read_obj(std::string_view text);
 
-/// The elements vertex and face of a PLY, as text or binary; polygons are cut up, all else is left
-/// out. @throws MeshError with the line or the byte and what is wrong there
+/// Reads the elements vertex and face of a PLY file, text or binary. Polygons are cut into
+/// triangles; everything else is skipped.
+/// @throws MeshError with the line or the byte and what is wrong there
 geometry::TriangleSurface read_ply(std::string_view bytes);
 
-/// A whole word as a number; none where it is not one, or is out of the type's range.
+/// The number that a whole word is; none where it is not a number or is out of the type's range.
 template <class Number>
 std::optional<Number> number_of(std::string_view word) {
   if (word.starts_with('+'))
@@ -30,14 +33,14 @@ std::optional<Number> number_of(std::string_view word) {
   return error == std::errc() && at == end ? std::optional(number) : std::nullopt;
 }
 
-/// The start of a text without its spaces, tabs and carriage returns in front; takes it off.
+/// Removes the first word of a text, with the white space before it, and returns the word.
 std::string_view take_word(std::string_view& text);
 
-/// The next line without its end; takes it off.
+/// Removes the first line of a text, and returns it without its line end.
 std::string_view take_line(std::string_view& text);
 
-/// A coordinate as meshes have it. @throws MeshError where it is not finite or beyond a float's
-/// range
+/// Converts a coordinate to a float.
+/// @throws MeshError where it is not finite or beyond a float's range
 float coordinate(double number);
 
 }  // namespace spindrift::app
