@@ -1,4 +1,4 @@
-// Solid shapes as triangles, to be drawn.
+// Makes the triangle meshes with which a scene's obstacles are drawn.
 #pragma once
 
 #include <span>
@@ -9,28 +9,31 @@
 
 namespace spindrift::app {
 
-/// Triangles of all shapes. Faces that meet at an edge have vertices of their own there, so that
-/// each face keeps its normal; round sides are smooth. Normals point out of the solid.
+/// The triangles of all obstacles where the scene puts them, without their motion. Faces that meet
+/// at an edge have vertices of their own there, so that each face keeps its normal; round sides
+/// have smooth normals. Vertex normals point out of the solid.
 Mesh tessellate(std::span<const sim::Obstacle> obstacles);
 
-/// The triangles of obstacles of which some move.
+/// The triangles of obstacles, some of which may move.
 class ObstacleMeshes {
  public:
   explicit ObstacleMeshes(std::span<const sim::Obstacle> obstacles);
 
   bool empty() const { return parts_.empty(); }
+  /// Whether any obstacle moves.
   bool move() const { return moves_; }
 
-  /// All obstacles where they are at a time, s.
+  /// The triangles of all obstacles where they are at a time, s.
   Mesh at(double time) const;
 
-  /// Two corners of a box around all that moves at any of the times, s; none where nothing moves.
+  /// Two opposite corners, m, of a box that contains the moving obstacles at all of the times, s;
+  /// empty where none moves.
   std::vector<glm::vec3> reach(std::span<const double> times) const;
 
  private:
   struct Part {
     sim::Obstacle obstacle;
-    Mesh mesh;  ///< where the scene puts it
+    Mesh mesh;  ///< where the scene puts the obstacle, without its motion
   };
   std::vector<Part> parts_;
   bool moves_;

@@ -7,6 +7,7 @@
 namespace spindrift::app {
 namespace {
 
+/// The values, one per particle, by which the particles are coloured.
 std::vector<float> attribute_of(const sim::Frame& frame, gl::ColorBy color_by) {
   if (color_by == gl::ColorBy::density)
     return frame.densities;
@@ -26,7 +27,7 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::optional<int> cuda_device)
       renderer_(scene.video.width, scene.video.height, scene.look, scene.light,
                 gl::Stage{scene.simulation.domain.min, scene.simulation.domain.max}, cuda_device),
       obstacles_(scene.simulation.obstacles) {
-  std::vector<double> instants;  // of all pictures, whichever are wanted now
+  std::vector<double> instants;  // times of all pictures of the scene, even if only some are drawn
   for (int k = 0; obstacles_.move() && k < scene.video.frame_count(); ++k)
     instants.push_back(scene.video.frames_per_second.time_of(k));
   reach_ = obstacles_.reach(instants);

@@ -1,4 +1,4 @@
-// A scene's pictures, drawn from its particles.
+// Draws the pictures of a scene from its particles.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,31 +11,32 @@
 
 namespace spindrift::app {
 
-/// Owns what a scene is drawn with; it belongs to one thread, since a GL context does.
+/// Owns the renderer and the obstacle meshes of a scene. It must be used by a single thread, since
+/// its GL context belongs to one.
 class SceneDrawing {
  public:
-  /// @param scene must live as long as this
-  /// @param cuda_device as gl::Renderer's
-  /// @throws std::runtime_error where nothing can draw
+  /// @param scene must outlive this object
+  /// @param cuda_device passed on to gl::Renderer
+  /// @throws std::runtime_error where no renderer can be set up
   explicit SceneDrawing(const Scene& scene, std::optional<int> cuda_device = {});
 
   const gl::Renderer::Info& info() const { return renderer_.info(); }
 
-  /// The look shows the liquid's surface, not its particles.
+  /// Whether the look shows the liquid's surface rather than its particles.
   bool shows_surface() const { return scene_.look.style == gl::Style::mesh; }
 
-  /// The liquid's surface, as the scene wants it.
+  /// Reconstructs the liquid's surface with the scene's surface settings.
   Mesh surface_of(const sim::Frame& frame) const;
 
-  /// The picture at a frame's time. @param surface the frame's; not looked at where the look shows
-  /// particles
+  /// Draws the picture of a frame.
+  /// @param surface the liquid's surface in the frame; ignored where the look shows particles
   Image draw(const sim::Frame& frame, const Mesh& surface);
 
  private:
   const Scene& scene_;
   gl::Renderer renderer_;
   ObstacleMeshes obstacles_;
-  std::vector<glm::vec3> reach_;  ///< corners of the space that moving obstacles pass through
+  std::vector<glm::vec3> reach_;  ///< corners of the box that moving obstacles stay within, m
 };
 
 }  // namespace spindrift::app
