@@ -24,7 +24,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// Text as it stands, within HTML's text and quoted attributes.
+/// Escapes text so that HTML shows it as it is, in text and in quoted attributes.
 std::string html_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -51,8 +51,8 @@ std::string html_escaped(std::string_view text) {
   return escaped;
 }
 
-/// Characters that stand for nothing but themselves in a path (RFC 3986, "unreserved"), and the one
-/// that parts folders.
+/// Whether a character needs no encoding in a path: the "unreserved" ones of RFC 3986, which stand
+/// for nothing but themselves, and the slash between folders.
 bool plain_in_path(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
          std::string_view("-._~/").find(c) != std::string_view::npos;
@@ -62,7 +62,7 @@ bool plain_in_path(char c) {
 
 Url Url::of_file(const std::filesystem::path& file) {
   std::string_view path = file.native();
-  while (path.starts_with("//"))  // what follows two slashes would be a host
+  while (path.starts_with("//"))  // a name after two slashes would be taken for a host
     path.remove_prefix(1);
   std::string text;
   for (const char c : path)
@@ -93,7 +93,7 @@ PageData::PageData(const nlohmann::ordered_json& json) {
   }
 }
 
-/// Takes a template apart.
+/// Parses a template into its parts.
 class PageTemplate::Reader {
  public:
   explicit Reader(std::string_view text) : rest_(text) {}
@@ -128,7 +128,7 @@ class PageTemplate::Reader {
     }
   }
 
-  /// What stands between the braces.
+  /// Reads a place, {{...}}, and returns the text between the braces.
   std::string read_place() {
     const std::size_t end = rest_.find("}}");
     if (end == std::string_view::npos)
@@ -195,7 +195,7 @@ void PageTemplate::fill_place(const Part& place, const Scope& scope, std::string
   if (place.kind == Kind::text && std::holds_alternative<std::string>(value)) {
     page += html_escaped(std::get<std::string>(value));
   } else if (place.kind == Kind::url && std::holds_alternative<Url>(value)) {
-    page += std::get<Url>(value).text();  // encoded when it was made
+    page += std::get<Url>(value).text();  // a Url is encoded when it is made
   } else if (place.kind == Kind::data && std::holds_alternative<PageData>(value)) {
     page += std::get<PageData>(value).text;
   } else if (place.kind == Kind::piece && std::holds_alternative<bool>(value)) {

@@ -1,4 +1,4 @@
-// Where in an HTML document a place stands.
+// Follows the HTML of a page's template to tell which values are safe in its places.
 #pragma once
 
 #include <string>
@@ -6,23 +6,25 @@
 
 namespace spindrift::app {
 
-/// @throws std::logic_error saying what is wrong with a template or with what it is filled with
+/// Refuses a template, or the values that it is filled with.
+/// @throws std::logic_error that says what is wrong
 [[noreturn]] void refuse_template(const std::string& what);
 
-/// Follows the markup of a page's template. It knows as much of HTML as the templates use: tags
-/// with attributes in double quotes, comments, scripts and styles.
+/// The position in a template, after the markup that has been read. It understands as much of HTML
+/// as the templates use: tags with attributes in double quotes, comments, scripts and styles.
 class PageContext {
  public:
-  /// @throws std::logic_error for markup that it does not know
+  /// Reads the markup up to the next place.
+  /// @throws std::logic_error for markup that is not understood
   void read(std::string_view markup);
 
   bool in_text() const { return at_ == At::text; }
-  /// In an attribute's value that a browser only shows or compares.
+  /// Whether this is within an attribute's value that a browser only shows or compares.
   bool in_harmless_attribute() const;
-  /// At the beginning of an attribute's value that a browser fetches as a picture or a video, or
-  /// follows when it is clicked.
+  /// Whether this is the beginning of an attribute's value that a browser fetches as a picture or a
+  /// video, or follows when it is clicked.
   bool at_url() const;
-  /// At the beginning of a script that is not run, since it holds JSON.
+  /// Whether this is the beginning of a script that is not run, since it holds JSON.
   bool at_data() const { return at_ == At::data && value_.empty(); }
 
  private:
@@ -34,10 +36,10 @@ class PageContext {
   std::string_view read_script(std::string_view markup);
 
   At at_ = At::text;
-  std::string element_;    ///< whose tag or content it is
-  std::string attribute_;  ///< whose value it is
-  std::string value_;      ///< of the attribute or of the script, up to here
-  bool holds_json_ = false;
+  std::string element_;      ///< name of the element whose tag or content is being read
+  std::string attribute_;    ///< name of the attribute whose value is being read
+  std::string value_;        ///< value of the attribute, or text of the script, up to here
+  bool holds_json_ = false;  ///< whether the element has type="application/json"
 };
 
 }  // namespace spindrift::app

@@ -11,8 +11,9 @@
 namespace spindrift::app {
 namespace {
 
-/// In single quotes gnuplot takes everything as it stands, but for the quote itself and for control
-/// characters, of which a line's end would end the command; they become spaces.
+/// Quotes a text for gnuplot. In single quotes gnuplot takes everything literally but for the
+/// quote, which is doubled, and control characters, which become spaces, as a line end would end
+/// the command.
 std::string quoted_for_gnuplot(const std::string& text) {
   std::string taken;
   for (const char c : text)
@@ -23,7 +24,8 @@ std::string quoted_for_gnuplot(const std::string& text) {
   return fmt::format("'{}'", taken);
 }
 
-/// How gnuplot draws a curve, by its own numbers for the shapes of points.
+/// The words with which gnuplot is told how to draw a curve, with its own numbers for the shapes of
+/// points.
 std::string style(const Curve& curve) {
   static constexpr const char* colors[] = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd",
                                            "#ff7f0e", "#8c564b", "#17becf", "#7f7f7f"};
@@ -68,7 +70,7 @@ std::string gnuplot_script(const Plot& plot) {
 }
 
 std::string draw_svg(const Plot& plot) {
-  const std::atomic<bool> never{false};  // it takes a moment
+  const std::atomic<bool> never{false};  // drawing takes only a moment and need not be stoppable
   ProcessResult result;
   try {
     result = run_process({"gnuplot"}, gnuplot_script(plot), never);

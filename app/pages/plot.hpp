@@ -1,4 +1,4 @@
-// Plots as SVG pictures, drawn by gnuplot.
+// Draws plots for the reports as SVG pictures, with gnuplot.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@ namespace spindrift::app {
 enum class Marker { none, circle, square };
 
 struct Curve {
-  std::string title = {};  ///< in the key; empty: not there
+  std::string title = {};  ///< shown in the key; left out of the key if empty
   std::vector<std::pair<double, double>> points = {};
-  int color = 0;  ///< the same number has the same colour
+  int color = 0;  ///< number of one of eight colours; curves with the same number share a colour
   Marker marker = Marker::none;
-  bool filled = false;
-  bool line = false;   ///< through the points in their order; always without markers
-  bool dashed = true;  ///< how the line is drawn
+  bool filled = false;  ///< whether the markers are filled
+  bool line = false;    ///< joins the points in their order; curves without markers always do
+  bool dashed = true;   ///< whether the line is dashed
 };
 
 struct Plot {
@@ -27,31 +27,33 @@ struct Plot {
   std::string y_label = {};
   bool log_x = false;
   bool log_y = false;
-  bool y_from_zero = true;  ///< else from the lowest point; of no meaning where logarithmic
+  bool y_from_zero = true;  ///< y axis begins at 0, not at the lowest point; ignored with log_y
   std::vector<Curve> curves = {};
 };
 
-/// What gnuplot is told. Curves without points are left out.
+/// The gnuplot script that draws a plot. Curves without points are left out.
 std::string gnuplot_script(const Plot& plot);
 
-/// The plot as an SVG document. @throws std::runtime_error when gnuplot is missing or fails
+/// Draws a plot as an SVG document.
+/// @throws std::runtime_error when gnuplot is missing or fails
 std::string draw_svg(const Plot& plot);
 
-/// Makes of a plot what stands for it on a page.
+/// Turns a plot into the record that stands for it in the list {{#plots}} of a page's template.
 using DrawPlot = std::function<PageValues(const Plot&)>;
 
-/// A plot's picture on a page, or a sentence in its place: a record of the list that a template's
-/// {{#plots}} stands for.
+/// The record of a plot that is shown by its picture.
 PageValues shown_plot(Url picture, const Plot& plot);
+/// The record of a plot in whose place a sentence stands.
 PageValues missing_plot(const std::string& sentence);
 
-/// Draws plots into a report, which is left without them from the first one that fails on.
+/// Draws the plots of a report. Once one has failed, all further ones are left out.
 class PlotDrawer {
  public:
-  /// The plot as a picture in the page (where no script in it would run), or a sentence.
+  /// The plot as a picture within the page (as an image, in which no script runs), or a sentence in
+  /// its place.
   PageValues operator()(const Plot& plot);
 
-  /// Why plots are missing; empty: none is.
+  /// The reason why plots are missing; empty where none has failed.
   const std::string& failure() const { return failure_; }
 
  private:
