@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where two scenes differ: each value's path, and both values.
+/// Appends a sentence for each value that differs between two scenes, with its key path and both
+/// values.
 void list_differences(const Json& a, const Json& b, const std::string& path,
                       std::vector<std::string>& into) {
   if (a == b)
@@ -38,7 +39,7 @@ void list_differences(const Json& a, const Json& b, const std::string& path,
   }
 }
 
-/// The resolved scene of a folder that `render` made; null where it isn't one.
+/// The resolved scene of a folder that `render` made; null for other folders.
 Json scene_of_run(const fs::path& folder) {
   const Json run = json_in(folder / "run.json");
   return run.is_object() ? run.value("scene", Json()) : Json();
@@ -61,7 +62,8 @@ void require_same_size(const PictureSource& a, const Picture& p, const PictureSo
         q.image.width, q.image.height));
 }
 
-/// Only so many of the pairs keep their pictures: those with the largest FLIP.
+/// Keeps the pictures of the last pair for the report if it is among the `most` pairs with the
+/// largest mean FLIP, and drops those of the pair that it pushes out.
 void show_worst(std::vector<ComparedPair>& pairs, const Picture& p, const Picture& q,
                 const std::vector<float>& flip, int most) {
   const auto mean = [](const ComparedPair& pair) { return pair.metrics.flip.mean; };

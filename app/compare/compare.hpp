@@ -1,4 +1,4 @@
-// Comparisons of pictures, as a command.
+// The command `compare`, which compares pictures, videos or runs.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,20 @@
 namespace spindrift::app {
 
 struct CompareOptions {
-  std::filesystem::path a, b;
+  std::filesystem::path a, b;                    ///< pictures, folders, videos or runs
   std::filesystem::path output = "out/compare";  ///< folder of the report and the differences
-  Limits limits;                                 ///< of every pair
-  int threshold = compare::default_threshold;    ///< of 255; more is a change
-  int shown_pairs = 4;                           ///< in the report
-  bool quiet = false;                            ///< nothing but errors
-  bool json = false;                             ///< for machines
+  Limits limits;                                 ///< limits that every pair must keep
+  int threshold = compare::default_threshold;    ///< a pixel has changed if a channel, 0 ... 255,
+                                                 ///< differs by more
+  int shown_pairs = 4;                           ///< number of pairs shown in the report
+  bool quiet = false;                            ///< print nothing but errors
+  bool json = false;                             ///< print results as JSON
 };
 
-/// Compares pictures, folders, videos or runs; leaves compare.html, compare.json and the
-/// differences. Fails where a pair is beyond a limit. @throws InputError
+/// Compares two pictures, folders, videos or runs, and writes compare.html, compare.json and
+/// pictures of the differences into the output folder.
+/// @return the exit code, check_failed where a pair is beyond a limit
+/// @throws InputError for input that can't be read or doesn't match
 int run_compare(const CompareOptions& options);
 
 }  // namespace spindrift::app

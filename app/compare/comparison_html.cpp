@@ -1,4 +1,4 @@
-// The report of a comparison as one HTML file, its pictures and plots in it.
+// Makes the report of a comparison as one HTML file that contains its pictures and plots.
 #include <fmt/format.h>
 
 #include "app/compare/comparison.hpp"
@@ -13,7 +13,7 @@ Url picture_url(const Image& image) {
   return Url::of_content("image/png", {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
-/// FLIP's colours from 0 to 1.
+/// A picture, 256 pixels wide and 1 high, of the colours that stand for FLIP from 0 to 1.
 Image flip_scale() {
   std::vector<float> values(256);
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -21,7 +21,7 @@ Image flip_scale() {
   return compare::magma(values, static_cast<int>(values.size()), 1);
 }
 
-/// What stands above the pictures.
+/// The sentences above the pictures.
 std::vector<PageValues> sentences(const ComparisonReport& comparison) {
   std::vector<PageValues> all;
   const auto add = [&](const std::string& sentence, bool beyond) {

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a file begins as a PNG does. @throws std::runtime_error where it can't be read
+/// Whether a file begins as a PNG does.
+/// @throws std::runtime_error where it is not a regular file
 bool is_png(const fs::path& file) {
   output::require_regular_file(file);
   std::array<char, 8> begin{};
@@ -35,9 +36,11 @@ std::vector<std::string> png_names(const fs::path& folder) {
   return names;
 }
 
+/// Follows the error of a file that can't be read as a video.
 constexpr const char* as_video = "; it is not a PNG either";
 
-/// A file that can't be read is bad input. @param hint to put after the reason
+/// Calls `read` and turns its errors into InputErrors.
+/// @param hint text after the error's message
 template <class Read>
 auto reading(const Read& read, const char* hint = "") {
   try {

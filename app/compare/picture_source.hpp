@@ -1,4 +1,4 @@
-// The pictures of a file, a folder, a video or a run, in order.
+// Reads the pictures of a file, a folder, a video or a run, in order.
 #pragma once
 
 #include <filesystem>
@@ -13,24 +13,27 @@
 namespace spindrift::app {
 
 struct Picture {
-  std::string name;  ///< the file's in its folder, or its number in the video
+  std::string name;  ///< the file's name without its folder, or the picture's number in a video
   Image image;
 };
 
-/// One picture at a time is in memory.
+/// Reads pictures one after the other, so that only one is in memory at a time.
 class PictureSource {
  public:
-  /// @param path a PNG, a video, a folder of PNGs, or a folder that `render` made, whose frames are
-  ///        meant. @throws InputError when it is none of these
+  /// @param path a PNG, a video, a folder of PNGs, or a folder that `render` made, of which the
+  /// frames are read
+  /// @throws InputError when it is none of these
   explicit PictureSource(std::filesystem::path path);
 
-  /// The next picture; none after the last. @throws InputError naming the file
+  /// The next picture; none after the last.
+  /// @throws InputError that names a file that can't be read
   std::optional<Picture> next();
 
-  /// What was given, for messages.
+  /// The path as it was given, for messages.
   const std::filesystem::path& path() const { return path_; }
 
-  /// A folder's files, by which two folders are matched; none for a picture or a video.
+  /// The sorted names of a folder's files, by which two folders are matched; empty for a single
+  /// picture or a video.
   const std::vector<std::string>& names() const { return names_; }
 
  private:
@@ -40,7 +43,8 @@ class PictureSource {
   std::size_t taken_ = 0;
 };
 
-/// @throws InputError when two folders do not have the same pictures, naming those that are missing
+/// Checks that two folders have pictures of the same names; other sources always pass.
+/// @throws InputError that names a missing picture, and how many more are missing
 void require_same_names(const PictureSource& a, const PictureSource& b);
 
 }  // namespace spindrift::app
