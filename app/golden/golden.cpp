@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Checks that the list has a golden test of each name.
 /// @throws InputError for a name that is not in the list
 void require_names(const std::vector<std::string>& only, const GoldenList& list) {
   std::vector<std::string_view> names;
@@ -29,7 +30,7 @@ void require_names(const std::vector<std::string>& only, const GoldenList& list)
                                    suggestion(name, names)));
 }
 
-/// What was found in a list.
+/// Renders the golden tests of a list one after the other, and collects their results.
 class GoldenRun {
  public:
   GoldenRun(const GoldenOptions& options, const GoldenList& list)
@@ -51,12 +52,12 @@ class GoldenRun {
     RenderOptions render;
     render.output = folder;
     render.frames = FrameRange{golden.frames.front(), golden.frames.back()};
-    render.cache = false;   // kept particles would hide a change of the solver
-    render.replace = true;  // the list says what the folder is for
+    render.cache = false;   // cached particles would hide a change of the solver
+    render.replace = true;  // the folder belongs to this golden test, whatever scene was there
     render.quiet = true;
     Scene scene = golden.resolved;
     if (scene.probes_rate == 0)
-      scene.probes.clear();  // nothing in the pictures depends on them
+      scene.probes.clear();  // pictures depend on probes only where time steps end at readings
     if (run_render(scene, render, lock) != done || InterruptGuard::requested()) {
       report_.not_compared.push_back(fmt::format("{}: it could not be rendered", golden.name));
       not_rendered_ = true;
@@ -99,7 +100,7 @@ class GoldenRun {
     try {
       return output::read_png(file).pixels == image.pixels;
     } catch (const std::exception&) {
-      return false;  // it is to be replaced
+      return false;  // a file that can't be read is to be replaced
     }
   }
 
@@ -128,7 +129,8 @@ class GoldenRun {
       keep(golden, file, reference, result, pair.flip);
   }
 
-  /// What a person wants to see of a failure, beside the result.
+  /// Keeps the reference and the difference of a failed frame in the output folder, for people to
+  /// see beside the result.
   void keep(const Golden& golden, const fs::path& file, const Image& reference, const Image& result,
             const std::vector<float>& flip) {
     report_.pairs.back().shown = shown_pair(reference, result, flip);

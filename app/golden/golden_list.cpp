@@ -19,7 +19,7 @@ bool names_a_folder(const std::string& name) {
   return !name.empty() && name.find_first_not_of(accepted) == std::string::npos;
 }
 
-/// Completes and checks the list's entries in their order, and gathers what is wrong with them.
+/// Fills in and checks the list's entries in their order, and collects their problems.
 class Completion {
  public:
   Completion(const SceneDocument& document, const std::filesystem::path& folder, GoldenList& list)
@@ -36,7 +36,7 @@ class Completion {
   std::vector<Problem> problems() && { return std::move(problems_); }
 
  private:
-  /// A value that the list lays over a scene, as after `--set`, and its own place in the list.
+  /// A value that the list sets in a scene, in the form KEY=VALUE, and its key path in the list.
   struct Assignment {
     std::string text, path;
   };
@@ -56,7 +56,8 @@ class Completion {
                                    child_path("goldens", first->second)));
   }
 
-  /// Whether the scene can be used.
+  /// Reads the scene of the current entry.
+  /// @return whether the scene can be used
   bool read(const Overrides& overrides) {
     const auto size = [&](const char* key, std::optional<int> own, int all) {
       return Assignment{fmt::format("video.{}={}", key, own.value_or(all)),
@@ -84,7 +85,7 @@ class Completion {
     return refused.empty();
   }
 
-  /// What is wrong with a scene, told where the list brings that about.
+  /// The problem of a scene, with the place in the list that causes it.
   Problem in_the_list(Problem problem, const std::vector<Assignment>& own) const {
     for (const auto& [text, path] : own)
       if (problem.place.source == "--set " + text) {

@@ -1,4 +1,5 @@
-// A list of golden tests: frames of scenes that are held against pictures kept from before.
+// Reads lists of golden tests. Each test names frames of a scene that are compared with reference
+// pictures.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +13,25 @@
 
 namespace spindrift::app {
 
-/// One scene of the list. What is left out here is as the list says.
+/// One golden test of a list. Sizes and limits that are absent here are those of the list.
 struct Golden {
-  std::string scene;                            ///< file, from the list's folder
-  std::string name;                             ///< names its pictures; the scene file's stem
-  std::vector<int> frames;                      ///< from 0
-  Overrides set;                                ///< values laid over the scene
-  std::optional<int> width, height;             ///< pixels, even
-  std::optional<double> max_flip, max_changed;  ///< as Limits
-  Scene resolved;                               ///< the scene with all of that; not in the file
+  std::string scene;                 ///< scene file, relative to the list's folder
+  std::string name;                  ///< folder of its pictures; by default the scene file's stem
+  std::vector<int> frames;           ///< frame numbers, from 0
+  Overrides set;                     ///< values to set in the scene
+  std::optional<int> width, height;  ///< size of the pictures, pixels, even
+  std::optional<double> max_flip, max_changed;  ///< largest accepted values, as in Limits
+  Scene resolved;  ///< the scene with these values and this size; not in the file
 };
 
 struct GoldenList {
-  std::string references = "references";  ///< folder of the pictures, from the list's folder
+  std::string references = "references";  ///< folder of the pictures, relative to the list's folder
   int width = 320;                        ///< of the pictures, pixels, even
-  int height = 180;
-  double max_flip = 0.02;                      ///< most that a frame may differ: the mean of FLIP
-  double max_changed = 0.005;                  ///< and the share of its pixels beyond the threshold
-  int threshold = compare::default_threshold;  ///< of 255
+  int height = 180;                       ///< of the pictures, pixels, even
+  double max_flip = 0.02;                 ///< largest accepted mean of FLIP of a frame
+  double max_changed = 0.005;             ///< largest accepted share of changed pixels of a frame
+  int threshold = compare::default_threshold;  ///< a pixel has changed if a channel, 0 ... 255,
+                                               ///< differs by more
   std::vector<Golden> goldens;
 };
 
@@ -65,8 +67,10 @@ inline constexpr auto table<GoldenList> = std::tuple{
           "a pixel has changed where a channel is off by more, of 255", Range{0, 254}},
     Field{"goldens", &GoldenList::goldens, "what is rendered", {}, {}, Presence::required}};
 
-/// Reads a list and all its scenes. @param overrides values to lay over every scene, after its own
-/// @throws SceneError with file, line, place and what is accepted
+/// Reads a list and all its scenes.
+/// @param overrides values to set in every scene, after those that the list sets
+/// @throws SceneError with every problem of the list and its scenes, each with its place in the
+/// list
 GoldenList read_golden_list(const std::filesystem::path& file, const Overrides& overrides = {});
 
 }  // namespace spindrift::app
