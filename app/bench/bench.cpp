@@ -17,7 +17,7 @@
 namespace spindrift::app {
 namespace {
 
-/// Says on the terminal what is running; nothing where no person is looking.
+/// Shows on the terminal what is running; prints nothing where stderr is not a terminal.
 void show_status(const std::string& text, bool quiet) {
   if (quiet || !isatty(STDERR_FILENO))
     return;

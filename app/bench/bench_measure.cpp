@@ -29,10 +29,10 @@
 namespace spindrift::app {
 namespace {
 
-// A signal handler can reach nothing else.
+// This is a global variable because a signal handler can reach nothing else.
 std::atomic<bool> out_of_time{false};
 
-/// Raises `out_of_time` after some wall time.
+/// Sets `out_of_time` after some wall-clock time, s, if it still lives then.
 class TimeLimit {
  public:
   explicit TimeLimit(double seconds) {
@@ -50,7 +50,8 @@ class TimeLimit {
   TimeLimit& operator=(const TimeLimit&) = delete;
 };
 
-/// A line such as "VmHWM:     1964 kB" of a file of /proc, in bytes; 0: there is none.
+/// The bytes that a line such as "VmHWM:     1964 kB" of a file of /proc states; 0 where there is
+/// no such line.
 double kilobyte_line(const char* file, std::string_view name) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);)
@@ -59,7 +60,8 @@ double kilobyte_line(const char* file, std::string_view name) {
   return 0;
 }
 
-/// Of this program alone: the figure of getrusage() counts what ran before exec() as well.
+/// The largest resident size, bytes, of this program alone. VmHWM comes first because the figure of
+/// getrusage() counts what ran before exec() as well.
 std::uint64_t peak_memory() {
   if (const double peak = kilobyte_line("/proc/self/status", "VmHWM:"); peak > 0)
     return static_cast<std::uint64_t>(peak);
@@ -75,8 +77,10 @@ void require_finite(const sim::FrameStatistics& s) {
       throw std::runtime_error("positions or velocities are not finite");
 }
 
-/// @param given_energy that of the start, and what has come in since less what has gone, and what
-/// moving obstacles have given, J
+/// Adds the statistics of one frame to a measurement.
+/// @param given_energy energy, J, that the liquid has been given: that at the start, that of
+/// particles that have come in less that of particles that have left, and the work of moving
+/// obstacles
 void add_frame(const sim::FrameStatistics& s, double given_energy, Measurement& m) {
   require_finite(s);
   m.steps += s.steps;
@@ -90,7 +94,7 @@ void add_frame(const sim::FrameStatistics& s, double given_energy, Measurement& 
         std::max(m.energy_ratio, (s.kinetic_energy + s.potential_energy) / given_energy);
 }
 
-/// From the start to the scene's full duration, frame by frame.
+/// Simulates a run once, frame by frame, from the start to the scene's full duration.
 void simulate_once(const BenchRun& run, Measurement& m) {
   using Clock = std::chrono::steady_clock;
   const VideoConfig& video = run.scene.video;
@@ -134,7 +138,8 @@ BenchRun run_from_json(const nlohmann::ordered_json& json) {
           .limit_seconds = json.at("limit_seconds")};
 }
 
-/// Empty, or why the run is better not begun: a machine out of memory may end other programs.
+/// The reason not to begin a run that needs more memory than is free, or empty. A machine that runs
+/// out of memory may end other programs.
 std::string lack_of_memory(const BenchRun& run) {
   const double needed = estimate(run.scene, run.threads).bytes;
   const double free = kilobyte_line("/proc/meminfo", "MemAvailable:");
@@ -179,7 +184,7 @@ Measurement measure_apart(const BenchRun& run, const std::atomic<bool>& stop) {
 }
 
 int run_bench_child() {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing is left of a benchmark that was ended
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a benchmark that is ended leaves no process behind
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   const Measurement m = measure(run_from_json(nlohmann::ordered_json::parse(text)));
   fmt::print("{}\n", nlohmann::json(m).dump());

@@ -13,7 +13,8 @@ namespace {
 
 using Rows = std::vector<const BenchRow*>;
 
-/// A section of the page but for its plots: its heading, what it is about, and its table.
+/// The values of a section of the page without its plots: its heading, what it is about, and its
+/// table.
 PageValues section_values(const BenchSection& section, const char* about) {
   const auto shown = shown_columns(section.series);
   std::vector<PageValues> columns, rows;
@@ -32,7 +33,7 @@ PageValues section_values(const BenchSection& section, const char* about) {
   return {{"title", section.title}, {"about", about}, {"columns", columns}, {"rows", rows}};
 }
 
-/// One series as a curve. Runs that did not reach their end are left out.
+/// The curve of y(row) over x(row). Runs that did not reach their end are left out.
 template <class X, class Y>
 Curve curve_of(const Rows& rows, const std::string& title, const X& x, const Y& y) {
   Curve curve{.title = title, .marker = Marker::circle, .filled = true, .line = true};

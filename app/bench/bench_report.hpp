@@ -1,4 +1,4 @@
-// The benchmark's report: one HTML file with its plots in it.
+// Makes the benchmark's report, one HTML page that contains its plots.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace spindrift::app {
 
-/// Cost against an error: the runs of one scene's plane, with the front of every spacing.
-/// @param largest the largest compression instead of the mean one
+/// The plot of compression over cost for all runs of one scene, with the Pareto front of every
+/// particle spacing.
+/// @param largest whether to plot the largest compression rather than the mean one
 Plot plane_plot(const std::vector<const BenchRow*>& rows, bool largest);
 
-/// The whole page.
+/// The whole page, with a section for each of sections_of(rows).
 std::string report_html(const std::vector<BenchRow>& rows, const DrawPlot& draw);
 
 }  // namespace spindrift::app

@@ -20,8 +20,8 @@ Scene built_in_scene(const Overrides& overrides) {
   return parse_scene(bench_scene_text, built_in_file, overrides);
 }
 
-/// `--set KEY=VALUE` for a scene's value times a factor; six digits, so that 1.25 times 0.03 is
-/// 0.0375 in single precision too.
+/// The override KEY=VALUE for a scene's value times a factor. It has six digits, so that 1.25 times
+/// 0.03 is 0.0375 in single precision too.
 std::string scaled(std::string_view key, float value, double factor) {
   return fmt::format("{}={:.6g}", key, value * factor);
 }
@@ -31,10 +31,10 @@ Overrides with(Overrides all, const Overrides& more) {
   return all;
 }
 
-/// PCISPH has two tolerances. Basic SPH has its stiffness instead: compression goes with the
-/// square of the fastest speed over the speed of sound (Monaghan 2005, section 4), so that the
-/// latter is divided by the factor's root. A scene that leaves the speed of sound at 0 has none to
-/// vary.
+/// The overrides that multiply a solver's compression tolerance by each factor. PCISPH has two
+/// tolerances. Basic SPH has its stiffness instead: compression goes with the square of the fastest
+/// speed over the speed of sound (Monaghan 2005, section 4), so that the speed of sound is divided
+/// by the factor's root. A scene that leaves the speed of sound at 0 has none to vary.
 std::vector<Overrides> tolerances(const sim::SolverSettings& solver,
                                   const std::vector<double>& factors) {
   std::vector<Overrides> all;
@@ -49,7 +49,8 @@ std::vector<Overrides> tolerances(const sim::SolverSettings& solver,
   return all;
 }
 
-/// Every combination of a scene's solvers, spacings, tolerances and steps.
+/// Appends a run for every combination of the plan's solvers, spacings, tolerances and time steps.
+/// @param read reads the scene with given overrides
 template <class Read>
 void add_plane(const BenchPlan& plan, const std::filesystem::path& file, const Read& read,
                std::vector<BenchRun>& runs) {
@@ -72,7 +73,7 @@ void add_plane(const BenchPlan& plan, const std::filesystem::path& file, const R
     }
 }
 
-using Tile = geometry::Mirror;  ///< takes the scene to where a copy of it goes
+using Tile = geometry::Mirror;  ///< maps points of the scene to where a copy of it has them
 
 sim::Shape placed(const sim::Shape& shape, const Tile& tile) {
   if (const auto image = sim::mirrored(shape, tile))
@@ -85,7 +86,7 @@ sim::Obstacle placed(const sim::Obstacle& obstacle, const Tile& tile) {
   result.shape = placed(obstacle.shape, tile);
   if (!result.motion)
     return result;
-  // A mirror turns directions around, and angles about the directions that it leaves as they are.
+  // A mirror reverses translations along its axis, and rotations about the axes that it keeps.
   const glm::vec3 d = tile.direction, angles = d.x * d.y * d.z * d;
   const auto mirror = [&](auto& part) {
     part.translate *= d;
@@ -99,14 +100,15 @@ sim::Obstacle placed(const sim::Obstacle& obstacle, const Tile& tile) {
   return result;
 }
 
-/// The scaling runs show what a particle and a step cost as the liquid grows. For that, the work a
-/// particle makes must stay the same: the built-in dam break is repeated side by side at the same
-/// spacing, every other copy mirrored. By symmetry its neighbours do to a copy what its walls did,
-/// so that depth (which the iterations depend on), speeds and steps' lengths are the same for every
-/// size. Finer particles in the same tank would need shorter steps and more iterations, and hide
-/// what is asked for. Copies stand in rows along x and z, and the distance in memory between
-/// neighbours grows with them, as in any large scene. Measured are the falling columns between 0.05
-/// and 0.1 s, some ten steps, after the first ones have built up the pressure.
+/// The scene that the scaling runs repeat. They show what a particle and a step cost as the liquid
+/// grows. For that, the work per particle must stay the same: the built-in dam break is repeated
+/// side by side at the same spacing, every other copy mirrored. By symmetry the neighbours of a
+/// copy act on it as its walls did, so that depth (on which the iterations depend), speeds and time
+/// step sizes are the same for every size. Finer particles in the same tank would need shorter
+/// steps and more iterations, and hide the cost in question. Copies stand in rows along x and z,
+/// and the distance in memory between neighbours grows with them, as in any large scene. The
+/// falling columns are measured between 0.05 and 0.1 s, some ten steps, after the first steps have
+/// built up the pressure.
 Scene scaling_scene(const BenchPlan& plan) {
   const Overrides own{"fluid.spacing=0.0375", "video.frames_per_second=20", "video.duration=0.1"};
   return built_in_scene(with(own, plan.overrides));
@@ -116,7 +118,7 @@ BenchRun scaling_run(const BenchPlan& plan, const Scene& tile, int particles, in
   const double tile_particles =
       static_cast<double>(sim::fill_volumes(tile.simulation).positions.size());
   const long count = std::max(1L, std::lround(particles / tile_particles));
-  // Small ones are repeated: their steps take little longer than what disturbs their timing.
+  // Small runs are repeated, as their steps take little longer than what disturbs their timing.
   constexpr double enough_particles = 100e3;
   const double all = static_cast<double>(count) * tile_particles;
   return {.scene = tiled(tile, static_cast<int>(count)),
@@ -186,7 +188,7 @@ Scene tiled(const Scene& scene, int count) {
   for (int k = 0; k < along_z; ++k)
     for (int i = 0; i < along_x; ++i) {
       const glm::vec3 direction(i % 2 ? -1 : 1, 1, k % 2 ? -1 : 1);
-      const glm::vec3 from(i + i % 2, 0, k + k % 2);  // in tiles, where the copy of low lies
+      const glm::vec3 from(i + i % 2, 0, k + k % 2);  // where the copy of `low` lies, in tiles
       const Tile tile{low + from * size - direction * low, direction};
       for (const sim::Volume& volume : one.fluid.volumes)
         all.fluid.volumes.push_back({placed(volume.shape, tile), direction * volume.velocity});

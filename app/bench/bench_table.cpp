@@ -16,17 +16,17 @@ double ratio(double a, double b) {
   return b > 0 ? a / b : 0;
 }
 
-/// Six digits: more are noise.
+/// The value with six digits; further ones are noise.
 Json rounded(double value) {
   return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
-/// Null for what a run did not come to measure.
+/// A positive value, or null where a run has not measured it.
 Json known(double value) {
   return value > 0 ? rounded(value) : Json();
 }
 
-/// A simulated frame has errors, even if they are none.
+/// An error of a run, which may be 0, or null where no frame was measured.
 Json measured(const Measurement& m, double value) {
   return m.simulated_seconds > 0 ? rounded(value) : Json();
 }
@@ -99,7 +99,7 @@ std::string csv_field(const Json& value) {
   return fmt::format("\"{}\"", doubled);
 }
 
-// What is shown to people.
+// The columns that are shown to people follow.
 
 std::string percent(double fraction) {
   return fmt::format("{:.3g}", 100 * fraction);
@@ -107,7 +107,8 @@ std::string percent(double fraction) {
 std::string spacing_text(const Row& r) {
   return fmt::format("{:g}", r.run.scene.simulation.fluid.spacing);
 }
-/// PCISPH: the mean one; the largest one goes with it. Basic SPH: the speed of sound.
+/// The tolerance of a run: for PCISPH the mean one, as the largest is varied with it; for basic SPH
+/// the speed of sound.
 std::string tolerance_text(const Row& r) {
   if (solver(r).type == sim::SolverType::pcisph)
     return percent(solver(r).mean_compression) + " %";
