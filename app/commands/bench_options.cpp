@@ -10,7 +10,7 @@
 namespace spindrift::app {
 namespace {
 
-/// An option that takes a list, as in --spacing 2,1.25.
+/// Adds an option that takes a list, as in --spacing 2,1.25.
 template <class T>
 CLI::Option* add_list(CLI::App& command, const char* name, std::vector<T>& list,
                       const std::string& about) {

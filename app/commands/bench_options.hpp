@@ -1,4 +1,4 @@
-// What can be typed after the command that measures.
+// The command-line options of `bench`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,20 +11,23 @@
 
 namespace spindrift::app {
 
-/// An empty list: the default one.
+/// The options of `bench` as typed. A list that is empty stands for that of the default plan.
 struct TypedBench : TypedCommon {
   std::string output;
   std::vector<std::string> scenes;
   std::vector<std::string> solvers;
   std::vector<double> spacing_factors, tolerance_factors, time_step_factors;
   std::vector<int> particle_counts;
-  double limit_seconds = BenchPlan{}.limit_seconds;
+  double limit_seconds =
+      BenchPlan{}.limit_seconds;  ///< wall-clock time after which a run is given up
   bool quick = false;
   bool plane = false, scaling = false, threads_scaling = false;
 };
 
+/// Adds the options to a command; parsing stores their values in `typed`, which must outlive it.
 void add_bench_options(CLI::App& command, TypedBench& typed);
 
+/// Runs `bench` with the options typed, and returns the exit code.
 /// @throws SceneError, UsageError
 int run_typed_bench(const TypedBench& typed);
 

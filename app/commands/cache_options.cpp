@@ -10,7 +10,7 @@
 namespace spindrift::app {
 namespace {
 
-/// Seconds of "30d", "12h" or "5min".
+/// An age such as "30d", "12h" or "5min" in seconds.
 double parse_age(const std::string& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -20,15 +20,16 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A simulation that a run has kept.
+/// The particle cache of one simulation.
 struct KeptSimulation {
-  fs::path folder;    ///< of its particles
-  std::string scene;  ///< the file, or the name where that is not known; may be empty
+  fs::path folder;    ///< folder of the particles, RUN/particles/HASH
+  std::string scene;  ///< the scene's file, or its name where the file is unknown; may be empty
   int frames = 0;
   std::uint64_t bytes = 0;
-  double age = 0;     ///< since the last frame was written, s
-  bool used = false;  ///< it is the one of the run that the folder holds
+  double age = 0;     ///< time since the last frame was written, s
+  bool used = false;  ///< whether it is the simulation of the results in its run's folder
 
+  /// The folder of the run.
   fs::path run() const { return fs::absolute(folder).parent_path().parent_path(); }
 };
 
@@ -55,7 +56,7 @@ KeptSimulation described(const fs::path& folder, std::vector<fs::path> frames) {
   return kept;
 }
 
-/// All below a folder, in the order of their paths.
+/// All particle caches below a folder, in the order of their paths.
 std::vector<KeptSimulation> kept_below(const fs::path& root) {
   std::vector<fs::path> folders;
   std::error_code gone;
@@ -88,8 +89,8 @@ Json kept_json(const KeptSimulation& kept) {
           {"age_seconds", kept.age},        {"used", kept.used}};
 }
 
-/// Frees the room of a simulation, unless somebody is at work in its run's folder.
-/// @return whether it is gone
+/// Removes a simulation's particles, unless a process is at work in its run's folder.
+/// @return whether they are gone
 bool remove(const KeptSimulation& kept) {
   try {
     const FolderLock lock(kept.run(), false);
@@ -105,7 +106,7 @@ bool remove(const KeptSimulation& kept) {
 
 int run_cache(const CacheOptions& options) {
   std::vector<KeptSimulation> chosen;
-  std::set<fs::path> seen;  // a folder may be given by two names, or with one above it
+  std::set<fs::path> seen;  // a folder may be given by two names, or together with one above it
   for (const fs::path& folder : options.folders) {
     if (!fs::is_directory(folder))
       throw InputError(fmt::format("{}: there is no such folder", folder.string()));

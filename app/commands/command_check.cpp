@@ -11,7 +11,7 @@
 namespace spindrift::app {
 namespace {
 
-/// With no more digits than an estimate has.
+/// A duration as text, with no more digits than an estimate deserves.
 std::string rough_duration_text(double seconds) {
   if (seconds < 100.)
     return fmt::format("{:.0f} s", seconds + 0.5);

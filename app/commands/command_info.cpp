@@ -15,7 +15,7 @@
 namespace spindrift::app {
 namespace {
 
-/// What draws, or the reason why nothing does.
+/// Whether pictures can be drawn, and the renderer that draws them or the reason why none can.
 std::pair<bool, std::string> renderer() {
   try {
     const gl::Renderer probe(16, 16, {}, {}, {});

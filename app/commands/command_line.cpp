@@ -31,7 +31,8 @@ namespace {
 
 constexpr const char* version_text = "spindrift " SPINDRIFT_VERSION;
 
-/// All that can be typed; each command uses its part.
+/// The typed options of all commands that have no type of their own for them. Each command uses
+/// some of these.
 struct Typed : TypedCommon {
   std::string scene;
   std::string output;
@@ -41,8 +42,8 @@ struct Typed : TypedCommon {
   bool no_cache = false;
   bool force = false;
   std::string progress = "text";
-  bool of_sweeps = false;  // schema
-  std::string command;     // help
+  bool of_sweeps = false;  // of the command `schema`
+  std::string command;     // of the command `help`
 };
 
 void add_scene_options(CLI::App& command, Typed& typed) {
@@ -73,6 +74,7 @@ void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::str
       ->check(CLI::IsMember({"text", "json"}));
 }
 
+/// The number that a text is, `if_empty` for empty text, and -1 for any other.
 int parse_frame_number(const std::string& text, int if_empty) {
   if (text.empty())
     return if_empty;
@@ -80,7 +82,8 @@ int parse_frame_number(const std::string& text, int if_empty) {
   return digits ? std::stoi(text) : -1;
 }
 
-/// "a:b" with either side left out for the first or last frame; "a" alone is that frame.
+/// The frames of "a:b", where an absent side stands for the first or the last frame, or of "a"
+/// alone; none for empty text.
 std::optional<FrameRange> parse_frames(const std::string& text, int frame_count) {
   if (text.empty())
     return std::nullopt;
@@ -156,7 +159,7 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   return run_render(scene, options);
 }
 
-/// Commands that can be typed, without those that other commands run.
+/// The commands meant for people, without those that other commands run.
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }
@@ -180,7 +183,7 @@ int run_help(const CLI::App& app, const std::string& command) {
   return done;
 }
 
-/// The parser's complaint with the nearest valid name, where a name was mistyped.
+/// The parser's error message, or one with the nearest valid name where a name was mistyped.
 /// @throws UsageError for an unknown command
 std::string usage_message(CLI::App& app, const CLI::ParseError& error) {
   const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error);
@@ -226,14 +229,14 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   TypedBench typed_bench;
   add_bench_options(*bench, typed_bench);
   CLI::App* bench_run = app.add_subcommand("bench-run", "One run of bench, told on stdin");
-  bench_run->group("");  // for bench itself
+  bench_run->group("");  // hidden from help, as only bench runs it
 
   CLI::App* sweep =
       app.add_subcommand("sweep", "Run a scene with many values, and compare the runs");
   TypedSweep typed_sweep;
   add_sweep_options(*sweep, typed_sweep);
   CLI::App* sweep_job = app.add_subcommand("sweep-job", "One task of sweep, told on stdin");
-  sweep_job->group("");  // for sweep itself
+  sweep_job->group("");  // hidden from help, as only sweep runs it
 
   CLI::App* compare = app.add_subcommand("compare", "Compare pictures, videos or runs");
   CompareOptions compare_options;
@@ -299,7 +302,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   throw UsageError("a command is missing");
 }
 
-/// Also where what was typed can't be parsed.
+/// Whether --json was typed. It is looked for without the parser, for errors of parsing.
 bool wants_json(int argc, const char* const* argv) {
   return std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;
 }
@@ -328,7 +331,7 @@ int run_command_line(int argc, const char* const* argv) {
     return tell_error(bad_usage, error.what(), json);
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::broken_pipe)
-      return run_failed;  // who was to read it has heard enough
+      return run_failed;  // the reader has closed the pipe and wants no message
     return tell_error(run_failed, error.what(), json);
   } catch (const std::exception& error) {
     return tell_error(run_failed, reason_of(error), json);

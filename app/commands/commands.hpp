@@ -1,4 +1,4 @@
-// The commands, one function each. They return the exit code.
+// The smaller commands of the program, one function each. All functions return the exit code.
 #pragma once
 
 #include <filesystem>
@@ -15,18 +15,21 @@
 namespace spindrift::app {
 
 struct CacheOptions {
-  std::vector<std::filesystem::path> folders;  ///< of runs, or above them
-  bool remove = false;                         ///< not only list them
-  bool unused = false;                         ///< only those that their folder's run does not use
-  double older_than = 0;                       ///< only those last used so long ago, s
-  bool quiet = false;                          ///< nothing but errors
-  bool json = false;                           ///< for machines
+  std::vector<std::filesystem::path> folders;  ///< folders of runs, or folders above them
+  bool remove = false;                         ///< remove the simulations rather than list them
+  bool unused = false;    ///< only simulations other than that of the results in the run's folder
+  double older_than = 0;  ///< only simulations whose last frame was written so long ago, s
+  bool quiet = false;     ///< print nothing but errors
+  bool json = false;      ///< print results as JSON
 };
 
-/// Lists the kept simulations of all runs in the folders and below, or removes them.
+/// Lists the cached simulations of all runs in the folders and below them, or removes them.
+/// @return run_failed where one could not be removed
+/// @throws InputError for a folder that does not exist
 int run_cache(const CacheOptions& options);
 
-/// Prints the scene with all defaults filled in, and what it will cost.
+/// Prints the scene with all defaults filled in, its warnings, and its estimated particles, memory,
+/// disk space and time with so many threads.
 int run_check(const Scene& scene, int threads, bool quiet, bool json);
 
 /// Prints versions, processor, renderer and encoder.

@@ -1,4 +1,4 @@
-// What can be typed after the commands that simulate scenes.
+// The command-line options that the commands share which simulate single scenes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,17 +8,19 @@
 
 namespace spindrift::app {
 
+/// The shared options as typed.
 struct TypedCommon {
-  Overrides overrides;
-  std::string backend;  ///< empty: as the scene says
+  Overrides overrides;  ///< values of --set
+  std::string backend;  ///< name of the backend; empty: as the scene says
   int threads = 0;      ///< 0: as many as the machine has
   bool quiet = false;
   bool json = false;
 };
 
+/// Adds the options to a command; parsing stores their values in `typed`, which must outlive it.
 void add_common_options(CLI::App& command, TypedCommon& typed);
 
-/// What --set says, and options that stand for it.
+/// The values of --set, and those of options that stand for a --set, such as --backend.
 Overrides all_overrides(const TypedCommon& typed);
 
 }  // namespace spindrift::app
