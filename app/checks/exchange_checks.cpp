@@ -192,11 +192,11 @@ WayOut way_out(const Room& room, float spacing, const glm::vec3& place, float mo
 }
 
 /// Checks that a wall around the nozzle is thick enough. Liquid on the wall's other side must not
-/// come near the liquid in the nozzle, as the layers that enter there would press on it. Measured:
-/// with 1.5 spacings to the wall's other side the solver's limits on compression hold, with 1.3 the
-/// liquid is compressed by 7 %, with 1.0 by 25 %. In front of the face that the nozzle comes out
-/// of, the limits hold where the nozzle is turned by 20° from the face's normal, but not always at
-/// 30°.
+/// come near the liquid in the nozzle, as the entering layers would be among its neighbours.
+/// Measured: with 1.5 spacings to the wall's other side the solver's limits on compression hold,
+/// with 1.3 the liquid is compressed by 7 %, with 1.0 by 25 %. In front of the face that the nozzle
+/// comes out of, the limits hold where the nozzle is turned by 20° from the face's normal, but not
+/// always at 30°.
 std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening& opening,
                                      const std::string& path) {
   constexpr float needed = 1.5f, behind = 0.5f;  // spacings
