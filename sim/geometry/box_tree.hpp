@@ -1,4 +1,5 @@
-// Boxes found by place, for what is done once at the start of a run.
+// A bounding volume hierarchy of axis-aligned boxes. It answers which boxes touch a given one, for
+// work that is done once at the start of a run.
 #pragma once
 
 #include <cstdint>
@@ -8,27 +9,29 @@
 
 namespace spindrift::geometry {
 
-/// Boxes in a tree of boxes, whose nodes are followed by those below them.
+/// A binary tree of bounding boxes over a fixed list of boxes. Its nodes lie in depth-first order.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);
 
+  /// The box with this index in the constructor's list.
   const Box& operator[](std::uint32_t number) const { return boxes_[number]; }
 
-  /// Numbers of the boxes that have a point in common with this one, smallest first.
+  /// Replaces `numbers` by the indices of all boxes that have a point in common with `box`, in
+  /// ascending order.
   void find(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
  private:
   struct Node {
-    Box bounds;                ///< m
-    std::uint32_t begin, end;  ///< of numbers_; none but in leaves
-    std::uint32_t after;       ///< the next node that is not below this one
+    Box bounds;                ///< around all boxes below this node, m
+    std::uint32_t begin, end;  ///< the leaf's range of numbers_; empty for an inner node
+    std::uint32_t after;       ///< index of the next node that is not below this one
   };
   void build(std::uint32_t begin, std::uint32_t end);
   void build_halves(const Box& bounds, std::uint32_t begin, std::uint32_t end);
 
-  std::vector<Box> boxes_;  ///< m
-  std::vector<std::uint32_t> numbers_;
+  std::vector<Box> boxes_;              ///< m
+  std::vector<std::uint32_t> numbers_;  ///< indices of boxes, leaf after leaf
   std::vector<Node> nodes_;
 };
 

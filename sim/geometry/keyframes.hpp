@@ -1,4 +1,4 @@
-// Numbers that follow keys in time.
+// Interpolation of numbers between keyframes in time, for the motion of bodies and of the camera.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,13 @@
 
 namespace spindrift::geometry {
 
-/// Slope at a key from the slopes of the spans before and after it: their harmonic mean, 0 at a
-/// turning point, so that the curve stays between the keys.
+/// The slope of the curve at a key: the harmonic mean of the slopes of the spans before and after
+/// it, and 0 at a turning point, so that the curve stays between the keys.
 inline double key_slope(double before, double after) {
   return before * after > 0. ? 2. * before * after / (before + after) : 0.;
 }
 
+/// The same numbers in double precision.
 template <std::size_t N>
 std::array<double, N> in_double(const std::array<float, N>& values) {
   std::array<double, N> result;
@@ -21,11 +22,12 @@ std::array<double, N> in_double(const std::array<float, N>& values) {
   return result;
 }
 
-/// The numbers at a time: between keys every one follows a monotone cubic (Fritsch & Carlson 1980),
-/// which rests at the first and the last key and overshoots none, or a straight line; outside they
-/// are constant.
-/// @param keys at least one, in the order of their times
-/// @param numbers_of gives a key's numbers, as an array of float
+/// The numbers at a time (s). Between keys each number follows a monotone cubic (Fritsch & Carlson
+/// 1980), which has slope 0 at the first and the last key and overshoots no key, or a straight
+/// line; before the first and after the last key it is constant.
+/// @param keys at least one, in ascending order of their member `time`, s
+/// @param numbers_of returns the numbers of a key as a std::array of float
+/// @param linear whether numbers follow straight lines
 template <class Key, class NumbersOf>
 auto numbers_at(const std::vector<Key>& keys, double time, NumbersOf numbers_of, bool linear) {
   auto result = in_double(numbers_of(keys.front()));
@@ -40,7 +42,8 @@ auto numbers_at(const std::vector<Key>& keys, double time, NumbersOf numbers_of,
   const double span = static_cast<double>(keys[i + 1].time) - keys[i].time;
   const double s = (time - keys[i].time) / span;
   const auto a = numbers_of(keys[i]), b = numbers_of(keys[i + 1]);
-  const auto slope_of = [&](std::size_t k, std::size_t c) {  // of number c over span k
+  // The slope of number c between keys k and k + 1.
+  const auto slope_of = [&](std::size_t k, std::size_t c) {
     const double from = numbers_of(keys[k])[c], to = numbers_of(keys[k + 1])[c];
     return (to - from) / (static_cast<double>(keys[k + 1].time) - keys[k].time);
   };

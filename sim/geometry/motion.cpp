@@ -11,7 +11,7 @@
 namespace spindrift::geometry {
 namespace {
 
-/// Displacement without the spin.
+/// The displacement by keyframes and oscillations, without the spin.
 struct Displacement {
   glm::dvec3 translate{0.};  ///< m
   glm::dvec3 rotate{0.};     ///< degrees
@@ -86,7 +86,7 @@ float fastest_speed(const Motion& motion, const Box& bounds) {
         std::max(keyed, length(b.translate - a.translate, b.rotate - a.rotate) / (b.time - a.time));
   }
   if (motion.interpolation == Interpolation::smooth)
-    keyed *= 1.5f;  // between two keys alone; up to 2 elsewhere
+    keyed *= 1.5f;  // the cubic's largest slope by its mean with two keys alone; up to 2 with more
   const float turn = 2 * std::numbers::pi_v<float>;
   float speed = keyed;
   for (const Oscillation& o : motion.oscillations)

@@ -1,4 +1,4 @@
-// How a body moves on a script, and where it is at a time.
+// The scripted rigid motion of a body by keyframes, oscillations and spin, and its pose at a time.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,40 +9,41 @@
 
 namespace spindrift::geometry {
 
-/// One key of a body's way, relative to where the scene puts it.
+/// A keyframe: a body's displacement from where the scene places it, at one time.
 struct MotionKey {
   float time = 0.f;          ///< s
   glm::vec3 translate{0.f};  ///< m
-  glm::vec3 rotate{0.f};     ///< about x, then y, then z, through the pivot, degrees
+  glm::vec3 rotate{0.f};     ///< angles about x, then y, then z, through the pivot, degrees
 };
 
+/// How a motion goes from one keyframe to the next: along a monotone cubic or a straight line.
 enum class Interpolation { smooth, linear };
 
-/// A swing to and fro: amplitudes times sin(2π frequency time + phase).
+/// A harmonic oscillation: the amplitudes times sin(2π · frequency · time + phase).
 struct Oscillation {
-  glm::vec3 translate{0.f};  ///< amplitude, m
-  glm::vec3 rotate{0.f};     ///< amplitude about x, then y, then z, degrees
+  glm::vec3 translate{0.f};  ///< amplitude of the translation, m
+  glm::vec3 rotate{0.f};     ///< amplitude of the angles about x, then y, then z, degrees
   float frequency = 1.f;     ///< Hz
-  float phase = 0.f;         ///< at time 0, degrees
+  float phase = 0.f;         ///< phase at time 0, degrees
 };
 
-/// A steady turn about an axis through the pivot.
+/// A rotation at constant angular speed about an axis through the pivot.
 struct Spin {
-  glm::vec3 axis{0.f, 1.f, 0.f};  ///< counter-clockwise seen from its tip; need not be unit
+  glm::vec3 axis{0.f, 1.f, 0.f};  ///< of any length; its tip sees the turn counter-clockwise
   float frequency = 0.5f;         ///< turns per second
 };
 
-/// How a body moves: where it is depends on nothing but the time. It spins, is rotated, both about
-/// the pivot, and is translated; the parts of keyframes and oscillations add up.
+/// The motion of a body as a function of time alone. The body first spins, then is rotated, both
+/// about the pivot, and then is translated; the displacements of keyframes and oscillations add up.
 struct Motion {
-  glm::vec3 pivot{0.f};                                 ///< where the scene puts it, m
-  std::vector<MotionKey> keyframes;                     ///< in the order of their times
-  Interpolation interpolation = Interpolation::smooth;  ///< between keys; before and after: at rest
+  glm::vec3 pivot{0.f};                                 ///< in the body as the scene places it, m
+  std::vector<MotionKey> keyframes;                     ///< in ascending order of their times
+  Interpolation interpolation = Interpolation::smooth;  ///< between keyframes; outside: at rest
   std::vector<Oscillation> oscillations;
   std::optional<Spin> spin = std::nullopt;
 };
 
-/// Takes points from where the scene puts a body to where it is.
+/// A rigid transformation from where the scene places a body to where the body is.
 struct Pose {
   glm::dmat3 rotation{1.};
   glm::dvec3 translation{0.};  ///< m
@@ -50,16 +51,16 @@ struct Pose {
   glm::dvec3 operator()(const glm::dvec3& p) const { return rotation * p + translation; }
 };
 
-/// Depends on the time (s) alone.
+/// The pose of a body at a time, s.
 Pose pose_at(const Motion& motion, double time);
 
-/// The smallest box around where a box is in a pose, m.
+/// The smallest axis-aligned box around a box that a pose has moved, m.
 Box bounds_at(const Pose& pose, const Box& box);
 
-/// A rotation about the x, then the y, then the z axis by angles in degrees.
+/// The rotation about the x, then the y, then the z axis by these angles, degrees.
 glm::dmat3 rotation_by(const glm::dvec3& angles);
 
-/// About the fastest speed that any point of a body in a box reaches, m/s.
+/// Estimates the highest speed that any point of a body within `bounds` reaches, m/s.
 float fastest_speed(const Motion& motion, const Box& bounds);
 
 }  // namespace spindrift::geometry

@@ -1,4 +1,4 @@
-// One of several types of plain data, on the processor and on a device.
+// A tagged union of trivially copyable types that works on the host and on a device.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,9 @@
 
 namespace spindrift::geometry {
 
-/// As std::variant, whose visit() cannot be called on a device. To visit means to handle each type:
-/// a call that one of them does not take does not compile.
+/// Holds a value of one of several trivially copyable types, like std::variant, whose visit()
+/// cannot be called on a device. A visitor must accept every type; otherwise the call does not
+/// compile.
 template <class... Types>
 class OneOf {
   static_assert((std::is_trivially_copyable_v<Types> && ...));
@@ -21,7 +22,7 @@ class OneOf {
     new (bytes_) T(value);
   }
 
-  /// What `visitor` returns for the value that is held.
+  /// Calls `visitor` with the held value and returns the result.
   template <class Visitor>
   SPINDRIFT_HD decltype(auto) visit(const Visitor& visitor) const {
     return visit_from<0, Visitor, Types...>(visitor);

@@ -9,7 +9,7 @@ glm::mat3 frame_along(const glm::vec3& axis) {
 
 std::vector<glm::vec3> points_on_capsule(const glm::vec3& center, const glm::mat3& frame,
                                          float length, float radius, float spacing) {
-  const double half = length / (2. * radius);  // in radii
+  const double half = length / (2. * radius);  // half the length, in radii
   const double area = 4 * std::numbers::pi * radius * radius * (1 + half);
   const int n = std::max(1, static_cast<int>(std::lround(area / (spacing * spacing))));
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));

@@ -1,4 +1,5 @@
-// What shapes with a round surface share.
+// Sampling and tessellation shared by the shapes with round surfaces: sphere, capsule, cylinder and
+// cone.
 #pragma once
 
 #include <algorithm>
@@ -12,28 +13,29 @@
 
 namespace spindrift::geometry {
 
-/// A direction across an axis of unit length.
+/// A unit vector at right angles to an axis of unit length.
 SPINDRIFT_HD inline glm::vec3 across(const glm::vec3& axis) {
   const glm::vec3 helper =
       axis.y < 0.9f && axis.y > -0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   return glm::normalize(glm::cross(axis, helper));
 }
 
-/// Three directions at right angles, the second one along the axis.
+/// An orthonormal frame whose second column is `axis`, which has unit length.
 glm::mat3 frame_along(const glm::vec3& axis);
 
-/// A radius less a depth, m; something is left of it.
+/// A radius less a depth, but at least a tenth of the radius, m.
 inline float radius_below(float radius, float depth) {
   return std::max(radius - depth, 0.1f * radius);
 }
 
-/// The smallest box around a disc at right angles to an axis of unit length: how far it reaches
-/// from its centre, m.
+/// The half extents of the smallest axis-aligned box around a disc, m. The disc is at right angles
+/// to `axis`, which has unit length.
 inline glm::vec3 reach_of_disc(const glm::vec3& axis, float radius) {
   return radius * glm::sqrt(glm::max(1.f - axis * axis, 0.f));
 }
 
-/// The coordinate's axis, 0 to 2, that a line lies along; -1 where it lies askew.
+/// The index, 0 … 2, of the coordinate axis that a line is parallel to; −1 if it is parallel to
+/// none.
 inline int axis_along(const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 way = glm::abs(to - from);
   for (int axis = 0; axis < 3; ++axis)
@@ -42,27 +44,28 @@ inline int axis_along(const glm::vec3& from, const glm::vec3& to) {
   return -1;
 }
 
-/// Points on the surface of a capsule `length` (m) long between the centres of its ends, or of a
-/// ball where that is 0: a spiral with equal area per point, about one per spacing². The height
-/// along the axis falls evenly, since a zone of a ball has the area of a cylinder's (Archimedes),
-/// and the angle grows by the golden angle.
-/// @param frame three directions at right angles; the second is the axis
+/// Points on the surface of a capsule, or of a ball where `length` is 0: a spiral with equal area
+/// per point, about one point per spacing². The height along the axis falls evenly, since a zone of
+/// a ball has the area of a cylinder's (Archimedes), and the angle grows by the golden angle.
+/// @param frame orthonormal; the second column is the axis
+/// @param length between the centres of the two half balls, m
 std::vector<glm::vec3> points_on_capsule(const glm::vec3& center, const glm::mat3& frame,
                                          float length, float radius, float spacing);
 
-/// Points on the surface of a cylinder, or of a cone cut off where the radii differ: rings up the
+/// Points on the surface of a cylinder, or of a truncated cone where the radii differ: rings up the
 /// side and concentric rings on both ends, about a spacing apart.
 /// @param radii at `from` and at `to`, m
 std::vector<glm::vec3> points_on_cone(const glm::vec3& from, const glm::vec3& to,
                                       const glm::vec2& radii, float spacing);
 
-/// A ball that is cut in two at its equator and drawn apart along its axis: one half ball around
-/// `top`, one around `bottom`, and the side between them where the two differ. The frame's second
-/// column is the axis, from bottom to top.
+/// Appends the triangles of a capsule: a half ball around `top`, a half ball around `bottom`, and
+/// the side between them. Where the two centres are the same, the capsule is a ball.
+/// @param frame orthonormal; the second column is the axis, from bottom to top
 void tessellate_capsule(Tessellation& into, const glm::vec3& bottom, const glm::vec3& top,
                         float radius, const glm::mat3& frame);
 
-/// A cylinder, or a cone cut off where the radii differ, with its ends.
+/// Appends the triangles of a cylinder, or of a truncated cone where the radii differ, with its
+/// ends.
 /// @param radii at `from` and at `to`, m
 void tessellate_cone(Tessellation& into, const glm::vec3& from, const glm::vec3& to,
                      const glm::vec2& radii);

@@ -1,5 +1,6 @@
-// All shapes. What a shape can do stands in its own file in shapes/; a new one is registered here,
-// by a line in the list of `Shape`.
+// The variant of all shapes and the functions that work on any of them. Each shape is defined in
+// its own file in shapes/, with the members that `Box` documents; a new shape is added to the list
+// of `Shape` here.
 #pragma once
 
 #include <variant>
@@ -13,39 +14,43 @@
 
 namespace spindrift::geometry {
 
+/// A solid of any kind, as the scene places it.
 using Shape = std::variant<Box, Sphere, Cylinder, Capsule, Cone, TriangleMesh>;
 
-/// What is wrong with a shape, for people; empty: nothing.
+/// A message for people that says what is wrong with a shape; empty if nothing is.
 std::string problem_of(const Shape& shape);
 
-/// The key of its kind in a scene: "box".
+/// The key of the shape's kind in a scene file, such as "box".
 std::string_view name_of(const Shape& shape);
 
-/// The smallest box around a shape.
+/// The smallest axis-aligned box around a shape, m.
 Box bounds_of(const Shape& shape);
 
-/// m³; of a mesh whose parts overlap, the sum of theirs.
+/// The volume of a shape, m³; for a mesh whose parts overlap, the sum of the parts' volumes.
 double volume_of(const Shape& shape);
 
-/// Of its surface, m².
+/// The area of a shape's surface, m².
 double area_of(const Shape& shape);
 
-/// The axes along which a shape ends in flat faces, or nearly so, between which a lattice fits.
+/// The axes along which a lattice of particles can fit a shape from face to face, because the shape
+/// ends in faces that are flat, or nearly so.
 glm::bvec3 flat_along(const Shape& shape);
 
-/// Points below the surface, half a spacing deep, about one per spacing².
+/// Samples half a spacing below the surface, about one per spacing². `spacing` is the spacing of
+/// the particles, m.
 std::vector<SurfaceSample> sample_surface(const Shape& shape, float spacing);
 
+/// Appends the triangles of a shape's surface.
 void tessellate(Tessellation& into, const Shape& shape);
 
-/// The shape's image; none for a mesh.
+/// The mirror image of a shape; nullopt for a mesh.
 std::optional<Shape> mirrored(const Shape& shape, const Mirror& mirror);
 
-/// Whether a point, m, is inside a shape.
+/// Whether a point (m) is inside a shape.
 bool is_inside(const Shape& shape, const glm::vec3& p);
 
-/// The nearest point on the surface of a shape for a point inside it; a point outside comes back as
-/// it is.
+/// The point on the surface of a shape that is nearest to `p`, if `p` is inside; otherwise `p`
+/// itself, m.
 glm::vec3 push_out(const Shape& shape, const glm::vec3& p);
 
 }  // namespace spindrift::geometry

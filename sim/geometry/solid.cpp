@@ -3,7 +3,7 @@
 namespace spindrift::geometry {
 namespace {
 
-/// Meshes where they are.
+/// Lets solids refer to meshes where the shapes hold them, in the host's memory.
 struct OwnMeshes {
   const MeshView* view_of(const MeshBody& body) const { return &body.view(); }
 };

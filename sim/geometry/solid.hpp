@@ -1,5 +1,5 @@
-// Shapes as plain data, which loops over particles carry with them, on the processor or on a
-// device.
+// Shapes as plain data that loops over particles can capture, on the host or on a device, and the
+// collision of straight particle paths with them.
 #pragma once
 
 #include "sim/geometry/one_of.hpp"
@@ -7,9 +7,9 @@
 
 namespace spindrift::geometry {
 
-// What a way meets of any convex shape; of a mesh, the overloads below.
+// Each of the following functions has a template for the convex shapes and an overload for meshes.
 
-/// Whether a point is inside.
+/// Whether a point (m) is inside a shape.
 template <class Convex>
 SPINDRIFT_HD bool is_in(const Convex& shape, const glm::vec3& p) {
   const glm::vec3 moved = shape.push_out(p) - p;
@@ -19,7 +19,8 @@ SPINDRIFT_HD inline bool is_in(const MeshSolid& mesh, const glm::vec3& p) {
   return mesh.view->grid.at(p).distance < 0;
 }
 
-/// Where a way between two places that are outside, but for rounding, enters the shape.
+/// Where the straight path between two points enters the shape. Both points are outside it, up to
+/// rounding errors.
 template <class Convex>
 SPINDRIFT_HD Entry entry_between(const Convex& shape, const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 begin = shape.push_out(from);
@@ -30,7 +31,9 @@ SPINDRIFT_HD inline Entry entry_between(const MeshSolid& mesh, const glm::vec3& 
   return mesh.view->entry(from, to, 0);
 }
 
-/// The end of a way that touches a surface, moved off it along its normal: `off` m before it.
+/// Where a path from `from` to `to` ends if it must not enter a shape: at `to`, or, if it enters,
+/// at the projection of `to` onto the plane that is parallel to the surface at the entry, a
+/// distance `off` (m) outside it.
 SPINDRIFT_HD inline glm::vec3 stopped_at(const Entry& entry, const glm::vec3& from,
                                          const glm::vec3& to, float off) {
   if (!entry.found)
@@ -39,15 +42,16 @@ SPINDRIFT_HD inline glm::vec3 stopped_at(const Entry& entry, const glm::vec3& fr
   return to + (off - glm::dot(to - surface, entry.normal)) * entry.normal;
 }
 
-/// Where a way ends that is not to enter the shape: at its end, or, where it would enter, that far
-/// along the plane that touches the surface there, one and a half margins off it; m.
+/// Where a path ends that must keep a margin (m) off the shape: at `to`, or, if it would come
+/// nearer, at the projection of `to` onto the plane that is parallel to the surface at the entry
+/// and one and a half margins off it, m.
 template <class Convex>
 SPINDRIFT_HD glm::vec3 end_outside(const Convex& shape, glm::vec3 from, const glm::vec3& to,
                                    float margin) {
   const float off = 0.5f * margin;
   const Convex thick = shape.thickened(margin);
   const glm::vec3 out = thick.push_out(from), push = out - from;
-  if (push != glm::vec3(0.f))  // but for rounding it was outside
+  if (push != glm::vec3(0.f))  // rounding errors alone have put it inside
     from = out + off * glm::normalize(push);
   return stopped_at(thick.entry(from, to - from), from, to, off);
 }
@@ -56,16 +60,17 @@ SPINDRIFT_HD inline glm::vec3 end_outside(const MeshSolid& mesh, const glm::vec3
   return stopped_at(mesh.view->entry(from, to, margin), from, to, 1.5f * margin);
 }
 
-/// Whether the surface is surely farther from a place outside than a distance, m.
+/// Whether the point `p` is certainly outside the shape and farther than `reach` (m) from its
+/// surface; false says nothing.
 template <class Convex>
 SPINDRIFT_HD bool is_surely_clear(const Convex&, const glm::vec3&, float) {
-  return false;  // to be sure costs as much as to look
+  return false;  // being certain costs as much as computing the entry
 }
 SPINDRIFT_HD inline bool is_surely_clear(const MeshSolid& mesh, const glm::vec3& p, float reach) {
   return mesh.view->is_clear(p, reach);
 }
 
-/// What loops see of a shape: the shape itself, if it is plain data.
+/// The type that represents a shape in loops over particles: the shape itself, if it is plain data.
 template <class S>
 struct SeenByLoops {
   using Type = S;
@@ -74,6 +79,7 @@ template <>
 struct SeenByLoops<TriangleMesh> {
   using Type = MeshSolid;
 };
+/// The OneOf type that holds the loops' representation of each alternative of a std::variant.
 template <class Variant>
 struct SolidOfOne;
 template <class... S>
@@ -81,7 +87,8 @@ struct SolidOfOne<std::variant<S...>> {
   using Type = OneOf<typename SeenByLoops<S>::Type...>;
 };
 
-/// A shape of any kind, where the scene puts it.
+/// A shape of any kind, where the scene places it, as trivially copyable data. A mesh is referred
+/// to by a pointer.
 class Solid {
  public:
   Solid() : Solid(Box{}, Box{}) {}
@@ -90,15 +97,16 @@ class Solid {
 
   const Box& bounds() const { return bounds_; }
 
-  /// The nearest point on the surface for a point inside; a point outside comes back as it is.
+  /// The point on the surface nearest to `p`, if `p` is inside; otherwise `p` itself, m.
   SPINDRIFT_HD SPINDRIFT_APART glm::vec3 push_out(const glm::vec3& p) const {
     return shape_.visit(PushOut{p});
   }
 
-  /// Whether a point is inside.
+  /// Whether a point (m) is inside.
   SPINDRIFT_HD bool contains(const glm::vec3& p) const { return shape_.visit(Contains{p}); }
 
-  /// Whether a way may come nearer than the margin: the shape's box and that of the way overlap.
+  /// Whether a path may come nearer than the margin (m): whether the bounding boxes of the shape
+  /// and of the path are no farther apart than that.
   SPINDRIFT_HD bool may_meet(const glm::vec3& from, const glm::vec3& to, float margin) const {
     const glm::vec3 low = glm::min(from, to), high = glm::max(from, to);
     return low.x <= bounds_.max.x + margin && low.y <= bounds_.max.y + margin &&
@@ -106,20 +114,22 @@ class Solid {
            high.y >= bounds_.min.y - margin && high.z >= bounds_.min.z - margin;
   }
 
-  /// As the function of this name, for a shape of any kind.
+  /// Calls geometry::is_surely_clear() for the shape.
   SPINDRIFT_HD bool is_surely_clear(const glm::vec3& p, float reach) const {
     return shape_.visit(IsSurelyClear{p, reach});
   }
+  /// Calls geometry::end_outside() for the shape.
   SPINDRIFT_HD SPINDRIFT_APART glm::vec3 end_outside(const glm::vec3& from, const glm::vec3& to,
                                                      float margin) const {
     return shape_.visit(EndOutside{from, to, margin});
   }
+  /// Calls geometry::entry_between() for the shape.
   SPINDRIFT_HD Entry entry_between(const glm::vec3& from, const glm::vec3& to) const {
     return shape_.visit(EntryBetween{from, to});
   }
 
  private:
-  // Named, since a device's compiler takes no generic lambdas.
+  // The visitors are named structs, since a device's compiler accepts no generic lambdas.
   struct PushOut {
     glm::vec3 p;
     template <class S>
@@ -162,8 +172,9 @@ class Solid {
   SolidOfOne<Shape>::Type shape_;
 };
 
-/// As loops look at a shape that find meshes elsewhere.
-/// @param meshes has `const MeshView* view_of(const MeshBody&)`
+/// The solid of a shape for loops that find meshes where `meshes` puts them, such as in a device's
+/// memory.
+/// @param meshes has a member `const MeshView* view_of(const MeshBody&)`
 template <class Meshes>
 Solid solid_of(const Shape& shape, Meshes& meshes) {
   return std::visit(
@@ -176,7 +187,7 @@ Solid solid_of(const Shape& shape, Meshes& meshes) {
       shape);
 }
 
-/// As loops on the processor look at it.
+/// The solid of a shape for loops on the host. It refers to the mesh body that `shape` owns.
 Solid solid_of(const Shape& shape);
 
 }  // namespace spindrift::geometry

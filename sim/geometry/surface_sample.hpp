@@ -1,4 +1,4 @@
-// A point that stands for a piece of a solid's surface.
+// A sample of a solid's surface: the point at which a boundary particle is placed.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,22 +7,23 @@
 
 namespace spindrift::geometry {
 
+/// A point a little below a surface that represents the piece of surface around it.
 struct SurfaceSample {
-  /// What the sample stands for.
+  /// Which surface the sample represents.
   enum class Side {
-    domain,  ///< a wall of the domain: a lattice along flat faces, bent at their edges
-    around,  ///< the surface near it
-    one,     ///< one side of a thin wall, that of the normal; a second layer stands for the other
-    both,    ///< both sides of a wall so thin that there is a single layer, in its middle
+    domain,  ///< a wall of the domain, sampled on a lattice along flat faces that meet at edges
+    around,  ///< the surface of a thick solid near the sample
+    one,     ///< the side of a thin wall that the normal points to; another layer has the other
+    both,    ///< both sides of a wall so thin that a single layer lies in its middle
   };
 
   glm::vec3 position;  ///< m
   Side side = Side::around;
-  glm::vec3 normal{0.f};                               ///< out of a thin wall, unit; else 0
-  std::optional<float> wall_viscosity = std::nullopt;  ///< Pa·s; none: the fluid's
+  glm::vec3 normal{0.f};                               ///< unit vector out of a thin wall; else 0
+  std::optional<float> wall_viscosity = std::nullopt;  ///< Pa·s; nullopt: the fluid's
 };
 
-/// Points of a surface as samples that stand for what is around them.
+/// Samples at these points (m) that represent the surface around them.
 inline std::vector<SurfaceSample> samples_at(const std::vector<glm::vec3>& points) {
   std::vector<SurfaceSample> samples;
   samples.reserve(points.size());

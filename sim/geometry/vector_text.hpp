@@ -1,4 +1,4 @@
-// Vectors as messages show them.
+// Formatting of vectors for messages.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,7 +6,7 @@
 
 namespace spindrift::geometry {
 
-/// A vector as scene files have it: [0, 0.5, 1].
+/// A vector as scene files write it, such as "[0, 0.5, 1]".
 std::string vector_text(const glm::vec3& v);
 
 }  // namespace spindrift::geometry

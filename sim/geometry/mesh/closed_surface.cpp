@@ -19,21 +19,21 @@
 namespace spindrift::geometry {
 namespace {
 
-/// Whether a place comes before another along x, or y or z where those before are the same.
+/// Whether a point comes before another in lexicographic order of x, y and z.
 template <class Place>
 bool is_before(const Place& a, const Place& b) {
   return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
-/// The same surface with one vertex at each place, in the order of their first use, and without
-/// triangles that have two corners at one place.
+/// The same surface with one vertex at each position, in the order of their first use, and without
+/// triangles that have two corners at the same position.
 TriangleSurface joined(const TriangleSurface& from) {
   std::map<glm::vec3, std::uint32_t, decltype(&is_before<glm::vec3>)> numbers(is_before);
   TriangleSurface into;
   for (const glm::uvec3& t : from.triangles) {
     glm::uvec3 corners;
     for (int k = 0; k < 3; ++k) {
-      const glm::vec3 place = from.vertices[t[k]] + 0.f;  // no −0
+      const glm::vec3 place = from.vertices[t[k]] + 0.f;  // turns −0 into 0
       const auto [found, is_new] =
           numbers.emplace(place, static_cast<std::uint32_t>(into.vertices.size()));
       if (is_new)
@@ -46,14 +46,15 @@ TriangleSurface joined(const TriangleSurface& from) {
   return into;
 }
 
-/// A triangle's edge, the same for both directions, and which one the triangle passes it in.
+/// One edge of one triangle. The edge itself has no direction; `upward` is the direction in which
+/// the triangle traverses it.
 struct Side {
-  std::uint32_t low, high;  // vertices
+  std::uint32_t low, high;  ///< indices of the edge's two vertices
   std::uint32_t triangle;
-  bool upward;  // from low to high
+  bool upward;  ///< whether the triangle goes from low to high
 };
 
-/// The sides of all triangles, those of the same edge in a row.
+/// The sides of all triangles, sorted so that those of the same edge follow each other.
 std::vector<Side> sides_of(const TriangleSurface& surface) {
   std::vector<Side> sides;
   sides.reserve(3 * surface.triangles.size());
@@ -69,7 +70,7 @@ std::vector<Side> sides_of(const TriangleSurface& surface) {
   return sides;
 }
 
-/// Calls f(first, last) with the sides of each edge.
+/// Calls f(first, last) for each edge with the range of its sides, last excluded.
 template <class F>
 void for_each_edge(const std::vector<Side>& sides, F f) {
   for (std::size_t first = 0; first < sides.size();) {
@@ -82,6 +83,7 @@ void for_each_edge(const std::vector<Side>& sides, F f) {
   }
 }
 
+/// @throws MeshError if an edge has an odd number of triangles
 void check_edges(const TriangleSurface& surface, const std::vector<Side>& sides) {
   std::size_t open = 0;
   const Side* example = nullptr;
@@ -109,9 +111,9 @@ bool is_closed(const TriangleSurface& surface) {
   return closed;
 }
 
-/// Triangles with the same corners count once where the surface is closed like that, as in a mesh
-/// that is there twice or has two sides drawn; else pairs of them cancel, as between two boxes that
-/// touch.
+/// The surface without doubled triangles. Triangles with the same corners count once if the surface
+/// is closed like that, as in a mesh that is stored twice or drawn with two sides; otherwise pairs
+/// of them cancel, as between two boxes that touch.
 TriangleSurface without_doubles(const TriangleSurface& surface) {
   const auto key = [&](std::uint32_t i) {
     glm::uvec3 t = surface.triangles[i];
@@ -141,16 +143,16 @@ TriangleSurface without_doubles(const TriangleSurface& surface) {
   return is_closed(single) ? single : chosen(odd);
 }
 
-/// The triangle across a side of another, and whether both pass their edge in the same direction,
-/// so that one of them is turned over.
+/// The triangle across an edge of another. It is `turned` where both traverse the edge in the same
+/// direction, so that one of them must be flipped.
 struct Neighbour {
   std::uint32_t triangle;
   bool turned;
 };
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
-/// Sorts the sides of an edge by the way that their triangles lie around it, as places alone say:
-/// however vertices are numbered and triangles turned, the order is the same.
+/// Sorts the sides of an edge by the angle at which their triangles lie around it. The order
+/// depends on positions alone, not on how vertices are numbered or triangles wound.
 void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
   const auto place = [&](std::uint32_t vertex) { return glm::dvec3(surface.vertices[vertex]); };
   glm::dvec3 from = place(sides[0].low), to = place(sides[0].high);
@@ -158,7 +160,7 @@ void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
     std::swap(from, to);
   const glm::dvec3 axis = glm::normalize(to - from);
   struct Around {
-    glm::dvec3 corner, way;  ///< the third, and to it from the edge
+    glm::dvec3 corner, way;  ///< the triangle's third corner, and from the edge to it, m
     double angle;
     Side side;
   };
@@ -169,7 +171,7 @@ void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
     const glm::dvec3 way = corner - from;
     all.push_back({corner, way - glm::dot(way, axis) * axis, 0, side});
   }
-  // The angles count from the longest, so that it has a direction.
+  // Angles count from the longest `way`, which is sure to have a direction.
   const glm::dvec3 start =
       std::max_element(all.begin(), all.end(), [](const Around& a, const Around& b) {
         const double of_a = glm::length(a.way), of_b = glm::length(b.way);
@@ -184,8 +186,8 @@ void sort_around_edge(const TriangleSurface& surface, std::span<Side> sides) {
   std::transform(all.begin(), all.end(), sides.begin(), [](const Around& one) { return one.side; });
 }
 
-/// Those across each triangle's sides. Where more than two meet at an edge, they are neighbours by
-/// twos around it, so that no sheet passes through another.
+/// The neighbours across each triangle's three edges. Where more than two triangles meet at an
+/// edge, they are paired in their order around it, so that no sheet passes through another.
 Neighbours neighbours_of(const TriangleSurface& surface, std::vector<Side>& sides) {
   Neighbours neighbours(surface.triangles.size());
   std::vector<unsigned char> known(surface.triangles.size(), 0);
@@ -201,8 +203,8 @@ Neighbours neighbours_of(const TriangleSurface& surface, std::vector<Side>& side
   return neighbours;
 }
 
-/// The volume between some triangles of a surface and a place near them, m³: what they enclose,
-/// where they are closed.
+/// The signed volume between some triangles of a surface and one of their corners, m³: the volume
+/// that they enclose, if they are closed.
 double volume_of(const TriangleSurface& surface, const std::vector<std::uint32_t>& part) {
   const glm::dvec3 origin(surface.vertices[surface.triangles[part.front()].x]);
   double sum = 0.;
@@ -214,12 +216,14 @@ double volume_of(const TriangleSurface& surface, const std::vector<std::uint32_t
   return sum / 6.;
 }
 
+/// Flips a triangle: reverses its winding.
 void turn(glm::uvec3& triangle) {
   std::swap(triangle.y, triangle.z);
 }
 
-/// Turns triangles so that neighbours pass their common edge in opposite directions.
-/// @return the surface's connected parts, each as its triangles' numbers
+/// Flips triangles so that neighbours traverse their common edge in opposite directions.
+/// @return the surface's connected parts, each as the indices of its triangles
+/// @throws MeshError if that is impossible
 std::vector<std::vector<std::uint32_t>> turned_parts(TriangleSurface& surface,
                                                      const Neighbours& neighbours) {
   enum class State : char { unseen, kept, turned };
@@ -254,7 +258,7 @@ void turn_all(TriangleSurface& surface, const std::vector<std::uint32_t>& part) 
     turn(surface.triangles[i]);
 }
 
-/// Refuses a surface that encloses next to nothing beside its size.
+/// @throws MeshError if the surface encloses next to no volume for its size
 void check_volume(const TriangleSurface& surface) {
   glm::vec3 low = surface.vertices[0], high = low;
   for (const glm::vec3& v : surface.vertices) {

@@ -5,7 +5,7 @@
 namespace spindrift::geometry {
 namespace {
 
-/// By which part a distance on the grid may be too large.
+/// The fraction by which a distance on the grid may be too large.
 constexpr float tolerance = 0.05f;
 
 }  // namespace
@@ -38,8 +38,9 @@ glm::vec3 DistanceGrid::corner(std::size_t block) const {
   return origin_ + cell_ * glm::vec3(block_cells * place);
 }
 
-/// Sorts a row of blocks by where they are: blocks that the surface may pass, or come nearer to
-/// than a cell, or that are just below it, become 0.
+/// Classifies a row of blocks: a block through which the surface may pass, to which it may come
+/// nearer than a cell, or which is just below it becomes 0; any other becomes `inside` or
+/// `outside`.
 void DistanceGrid::sort_blocks(const TriangleTree& tree, std::size_t first, float depth) {
   const float edge = static_cast<float>(block_cells) * cell_;
   const float half_diagonal = 0.5f * std::sqrt(3.f) * edge;
@@ -47,7 +48,7 @@ void DistanceGrid::sort_blocks(const TriangleTree& tree, std::size_t first, floa
   float distance = 0;
   bool below = false;
   for (std::size_t block = first; block < first + counts_.x; ++block) {
-    distance -= 1.001f * edge;  // at least, from the last block's centre
+    distance -= 1.001f * edge;  // a lower bound, from that of the last block's centre
     if (distance <= wanted[below]) {
       const glm::vec3 center = corner(block) + 0.5f * edge;
       distance = tree.nearest(center).distance;
@@ -57,11 +58,11 @@ void DistanceGrid::sort_blocks(const TriangleTree& tree, std::size_t first, floa
   }
 }
 
-/// Visits the nodes one after the other, each a cell from the last one within a row. The distance
-/// changes by no more than the way between two points, which spares most of the work: a node that
-/// is nearer to the last one than that one was to the surface is on the same side; and where the
-/// distance is of no use, two cells away from where it is (a cell's diagonal and a margin), a lower
-/// bound is enough.
+/// Visits the nodes of a block one after the other, each a cell from the last one within a row.
+/// From point to point the distance changes by no more than the way between them, which spares most
+/// of the work: a node that is nearer to the last one than that one was to the surface is on the
+/// same side of it; and a lower bound is enough two cells (a cell's diagonal and a margin) away
+/// from where the distance is of use.
 void DistanceGrid::fill_block(const TriangleTree& tree, std::size_t block, float depth) {
   const glm::vec3 low = corner(block);
   float* value =

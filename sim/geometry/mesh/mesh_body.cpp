@@ -5,7 +5,7 @@
 namespace spindrift::geometry {
 namespace {
 
-/// Distances inside are right down to here, in spacings.
+/// The depth inside the body, in spacings, down to which the grid's distances are right.
 constexpr float right_down_to = 1.5f;
 
 }  // namespace

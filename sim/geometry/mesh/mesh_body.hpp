@@ -1,4 +1,4 @@
-// A body bounded by triangles.
+// A solid bounded by triangles, with the search structures that collisions and sampling need.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,14 +11,14 @@
 
 namespace spindrift::geometry {
 
-/// The smallest box around a surface.
+/// The smallest axis-aligned box around a surface, m.
 Box bounds_of(const TriangleSurface& surface);
 
-/// A closed surface and what is made from it once, so that contacts cost little. Points are in the
-/// frame of the surface's vertices.
+/// A closed surface with its triangle tree and distance grid, which are built once so that contacts
+/// cost little. Points are in the frame of the surface's vertices.
 class MeshBody {
  public:
-  /// @param surface closed: each edge is passed as often in one direction as in the other
+  /// @param surface closed: each edge is traversed as often in one direction as in the other
   /// @param spacing of the particles that the body will meet, m
   MeshBody(TriangleSurface surface, float spacing);
   MeshBody(const MeshBody&) = delete;
@@ -29,13 +29,13 @@ class MeshBody {
 
   bool contains(const glm::vec3& p) const { return grid_.at(p).distance < 0; }
 
-  /// The nearest point on the surface for a point inside; a point outside comes back as it is.
-  /// Within a few hundredths of a spacing of the surface, and 0.15 at sharp edges, which come out
-  /// rounded. Walls thinner than half a spacing are not seen.
+  /// The point on the surface nearest to `p`, if `p` is inside; otherwise `p` itself, m. The result
+  /// is within a few hundredths of a spacing of the surface, and within 0.15 spacings at sharp
+  /// edges, which come out rounded. Walls thinner than half a spacing are not seen.
   glm::vec3 push_out(const glm::vec3& p) const { return view_.push_out(p); }
 
-  /// Samples half a spacing below the surface, about one per spacing². Walls thinner than 1.25
-  /// spacings have one layer, in their middle, which is closer.
+  /// Samples half a spacing (m) below the surface, about one per spacing². Walls thinner than 1.25
+  /// spacings have one denser layer, in their middle.
   std::vector<SurfaceSample> sample(float spacing) const;
 
   const MeshView& view() const { return view_; }

@@ -11,28 +11,30 @@
 namespace spindrift::geometry {
 namespace {
 
-/// Walls up to this many spacings thick have one layer of samples, in their middle: two would be
-/// too near to each other. In walls up to the second thickness each of two layers knows its side.
+/// Walls up to `one_layer` spacings thick have one layer of samples, in their middle: two would be
+/// too near to each other. In walls up to `two_layers` spacings thick each of the two layers knows
+/// which side it is on.
 constexpr float one_layer = 1.25f, two_layers = 2.5f;
 
-/// Samples are no nearer to each other than this many spacings, which makes about one per spacing²;
-/// where a wall has a single layer, that one is closer.
+/// The least distance between samples, in spacings, which gives about one sample per spacing²; the
+/// single layer of a thin wall is denser.
 constexpr float least_distance = 0.9f, least_distance_single = 0.7f;
 
-/// A place on the surface and the way out.
+/// A point on the surface and the outward normal there.
 struct Place {
-  glm::vec3 point;   // m
-  glm::vec3 normal;  // unit
+  glm::vec3 point;   ///< m
+  glm::vec3 normal;  ///< of unit length
 };
 
-/// Where a place's sample would be.
+/// The sample that a place on the surface asks for.
 struct Candidate {
   SurfaceSample sample;
-  glm::vec3 normal;  // the way out, unit
-  int sides = 1;     // that meet there: 1 on a face, 2 at an edge, 3 at a corner, roughly
+  glm::vec3 normal;  ///< outward, of unit length
+  int sides = 1;     ///< faces that meet there, roughly: 1 on a face, 2 at an edge, 3 at a corner
 };
 
-/// Calls f(point) all over a triangle, on rows along its longest side, at most `step` apart.
+/// Calls f(point) for points all over a triangle, on rows along its longest side, at most `step`
+/// (m) apart.
 template <class F>
 void cover_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, float step, F f) {
   const float ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
@@ -56,18 +58,19 @@ void cover_triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c, float step, F f) {
   }
 }
 
-/// The cube of space that a point lies in, and its number.
+/// The cell of a cubic grid with this edge (m) that a point lies in.
 glm::ivec3 cube_of(const glm::vec3& point, float edge) {
   return glm::ivec3(glm::floor(point / edge));
 }
+/// The key of a cell, from the lowest 21 bits of each coordinate.
 std::uint64_t number_of(const glm::ivec3& cube) {
   constexpr std::uint64_t mask = (1u << 21) - 1;
   const glm::u64vec3 c(cube);
   return (c.x & mask) << 42 | (c.y & mask) << 21 | (c.z & mask);
 }
 
-/// Places on the surface, about `step` apart. Where triangles are smaller than that, the first
-/// place that faces the same way, by octant, stands for those within half a step.
+/// Places all over the surface, about `step` (m) apart. Where triangles are smaller than that, one
+/// place stands for all those in a cell half a step wide that face the same octant.
 std::vector<Place> cover(const TriangleSurface& surface, float step) {
   std::vector<Place> places;
   std::unordered_set<std::uint64_t> taken[8];
@@ -86,21 +89,21 @@ std::vector<Place> cover(const TriangleSurface& surface, float step) {
   return places;
 }
 
-/// The largest ball within the body that touches the surface at a place, but no larger than asked.
+/// The largest ball within the body that touches the surface at a place, up to a given radius.
 struct Ball {
-  glm::vec3 center;
-  float radius;
-  bool between = false;  // it also touches a side that faces the other way, as in a wall
+  glm::vec3 center;      ///< m
+  float radius;          ///< m
+  bool between = false;  ///< whether it also touches a side that faces the other way, as in a wall
 };
 
-/// By shrinking (Ma, Bae & Choi 2012, "3D medial axis point approximation using nearest neighbors
-/// and the normal field").
+/// Finds the ball of radius at most `most` (m) by shrinking (Ma, Bae & Choi 2012, "3D medial axis
+/// point approximation using nearest neighbors and the normal field").
 Ball largest_ball(const TriangleTree& tree, const Place& place, float most) {
   constexpr float nearly = 0.99f;
   Ball ball{place.point - most * place.normal, most};
   TriangleTree::Nearest other = tree.nearest(ball.center);
   glm::vec3 touched = place.point;
-  // In a wall that is very thin the first centre is beyond it, and hardly nearer to its other side.
+  // In a very thin wall the first centre lies beyond the wall, hardly nearer to its other side.
   const bool beyond = tree.winding_number(ball.center) == 0;
   for (int k = 0; k < 30 && (other.distance < nearly * ball.radius || (beyond && k == 0)); ++k) {
     touched = other.point;
@@ -117,8 +120,8 @@ Ball largest_ball(const TriangleTree& tree, const Place& place, float most) {
   return ball;
 }
 
-/// Where the sample of a place on the surface belongs: half a spacing below it or, in a thin wall,
-/// in its middle. None where there is no wall to speak of.
+/// The sample of a place on the surface: half a spacing below it or, in a thin wall, in its middle;
+/// nullopt where the wall has hardly any thickness.
 std::optional<Candidate> settle(const TriangleTree& tree, const Place& place, float spacing) {
   const float inset = 0.5f * spacing;
   const glm::vec3 below = place.point - inset * place.normal;
@@ -132,8 +135,8 @@ std::optional<Candidate> settle(const TriangleTree& tree, const Place& place, fl
   if (ball.radius >= inset)
     return Candidate{{below}, place.normal};
 
-  // Two sides at an angle, as at the edges of a box: away from both, as far as there is room. A
-  // step is shorter than the way to the surface, and does not leave the body.
+  // Two sides meet at an angle, as at the edges of a box: the sample moves away from both, as far
+  // as there is room. A step is shorter than the distance to the surface, so it stays in the body.
   Candidate roomiest{{ball.center, SurfaceSample::Side::both, place.normal}, place.normal};
   glm::vec3 center = ball.center;
   float room = 0;
@@ -156,13 +159,13 @@ std::optional<Candidate> settle(const TriangleTree& tree, const Place& place, fl
     }
     center -= std::min(missing, 0.5f * side.distance) * out;
   }
-  // On a box, what is at an edge or a corner has moved 1.4 and 1.7 times as far as straight down.
+  // On a box, samples at edges and corners have moved 1.4 and 1.7 times as far as those on faces.
   const float moved = glm::distance(place.point, roomiest.sample.position) / inset;
   roomiest.sides = moved > 1.55f ? 3 : moved > 1.2f ? 2 : 1;
   return roomiest;
 }
 
-/// Finds candidates by the cubes that they lie in.
+/// A hash grid that finds the candidates near a point.
 class CandidateGrid {
  public:
   CandidateGrid(const std::vector<Candidate>& candidates, float edge) : edge_(edge) {
@@ -170,7 +173,7 @@ class CandidateGrid {
       cubes_[number_of(cube_of(candidates[k].sample.position, edge))].push_back(k);
   }
 
-  /// Calls f with every candidate that may be within an edge of the point.
+  /// Calls f(k) with the index of every candidate that may be within a cell's edge of the point.
   template <class F>
   void for_each_near(const glm::vec3& point, F f) const {
     const glm::ivec3 cube = cube_of(point, edge_);
@@ -189,10 +192,10 @@ class CandidateGrid {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_;
 };
 
-/// Chooses samples so that no two are nearer than their least distance, and no candidate is further
-/// than that from one that is chosen; the two layers of a wall do not count as near. Corners come
-/// first, then edges, then faces. Grows from sample to sample, nearest first, so that they lie
-/// closely, row by row.
+/// Chooses samples among the candidates so that no two are nearer than their least distance, and no
+/// candidate is farther than that from a chosen one; samples in the two layers of a wall may be
+/// nearer. Corners come first, then edges, then faces. The choice grows from sample to sample,
+/// nearest first, so that samples lie closely, row by row.
 class Thinning {
  public:
   Thinning(const std::vector<Candidate>& candidates, float spacing)

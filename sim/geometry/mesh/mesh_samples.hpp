@@ -1,4 +1,4 @@
-// Even layers of points below a surface of triangles.
+// Even layers of samples below a surface of triangles, where boundary particles are placed.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,8 +9,9 @@
 
 namespace spindrift::geometry {
 
-/// Samples half a spacing below the surface, about one per spacing², the same ones every time.
-/// Walls thinner than 1.25 spacings have one layer, in their middle, which is closer.
+/// Samples half a spacing (m) below a closed surface, about one per spacing². Walls thinner than
+/// 1.25 spacings have one denser layer, in their middle. The same input gives the same samples.
+/// @param tree the triangles of `surface`
 std::vector<SurfaceSample> sample_mesh(const TriangleSurface& surface, const TriangleTree& tree,
                                        float spacing);
 

@@ -1,5 +1,5 @@
-// A body bounded by triangles as loops over particles look at it, wherever they run: the nearest
-// point of its surface, and distances from it on a grid.
+// Views of a solid bounded by triangles for loops over particles, on the host or on a device: a
+// tree for the nearest point and for intersections, and a grid of signed distances.
 #pragma once
 
 #include <cmath>
@@ -17,25 +17,25 @@ struct Triangle {
   glm::vec3 a, b, c;  ///< m
 };
 
-/// Of a tree of boxes. A leaf holds triangles first ... first + count; a node with count 0 has its
-/// children at the next place and at `first`.
+/// A node of a tree of bounding boxes. A leaf holds the triangles first … first + count − 1; an
+/// inner node has count 0, and its children are the next node and the node `first`.
 struct TriangleNode {
-  glm::vec3 low, high;
+  glm::vec3 low, high;  ///< corners of the bounding box, m
   std::uint32_t first, count;
 };
 
-/// A place on a surface of triangles.
+/// The point of a surface that is nearest to another point.
 struct NearestPoint {
   glm::vec3 point;         ///< on the surface, m
-  float distance;          ///< m
-  std::uint32_t triangle;  ///< its number in the tree
+  float distance;          ///< from the other point, m
+  std::uint32_t triangle;  ///< index in the tree of the triangle that `point` lies on
 };
 
 SPINDRIFT_HD inline float squared_distance(const glm::vec3& a, const glm::vec3& b) {
   return glm::dot(a - b, a - b);
 }
 
-/// The point nearest to p on the line from a to b.
+/// The point nearest to p on the line segment from a to b.
 SPINDRIFT_HD inline glm::vec3 nearest_on_line(const glm::vec3& p, const glm::vec3& a,
                                               const glm::vec3& b) {
   const glm::vec3 along = b - a;
@@ -43,8 +43,8 @@ SPINDRIFT_HD inline glm::vec3 nearest_on_line(const glm::vec3& p, const glm::vec
   return squared > 0 ? a + glm::clamp(glm::dot(p - a, along) / squared, 0.f, 1.f) * along : a;
 }
 
-/// The point nearest to p on a triangle: the foot of the perpendicular where that is within, else
-/// the nearest point of the three sides.
+/// The point nearest to p on a triangle: the foot of the perpendicular if it is within the
+/// triangle, otherwise the nearest point of the three sides.
 SPINDRIFT_HD inline glm::vec3 nearest_on_triangle(const glm::vec3& p, const Triangle& t) {
   const glm::vec3 normal = glm::cross(t.b - t.a, t.c - t.a);
   const bool within = glm::dot(glm::cross(t.b - t.a, p - t.a), normal) > 0 &&
@@ -64,16 +64,17 @@ SPINDRIFT_HD inline float squared_distance_to_box(const glm::vec3& p, const Tria
   return glm::dot(outside, outside);
 }
 
-/// Six times the volume of the tetrahedron of a way and an edge of a triangle, all seen from the
-/// way's begin. It changes its sign exactly, and nothing else, when the edge is turned around, so
-/// that of two triangles with a common edge one is met, or the other.
+/// Six times the signed volume of the tetrahedron between a path and an edge from a to b, all
+/// relative to the path's beginning. Exchanging a and b changes exactly the sign, so that a path
+/// near the common edge of two triangles meets one of the two.
 SPINDRIFT_HD inline double around_edge(const glm::dvec3& way, const glm::dvec3& a,
                                        const glm::dvec3& b) {
   return way.x * (a.y * b.z - a.z * b.y) + way.y * (a.z * b.x - a.x * b.z) +
          way.z * (a.x * b.y - a.y * b.x);
 }
 
-/// Takes over the entry of a way through a triangle's front, if it is an earlier one.
+/// Replaces `first` by the intersection of a path with a triangle's front, if there is one and it
+/// is earlier.
 SPINDRIFT_HD inline void join_entry(const Triangle& t, const glm::dvec3& from,
                                     const glm::dvec3& way, Entry& first) {
   const glm::dvec3 a = glm::dvec3(t.a) - from, b = glm::dvec3(t.b) - from,
@@ -91,12 +92,14 @@ SPINDRIFT_HD inline void join_entry(const Triangle& t, const glm::dvec3& from,
     first = {true, static_cast<float>(part), glm::vec3(glm::normalize(normal))};
 }
 
+/// A view of a TriangleTree in memory that the loops can read.
 struct TriangleTreeView {
-  static constexpr int most_levels = 64;  ///< a tree of 2³² triangles split in halves has 32
+  /// Size of the stack for a traversal: a tree of 2³² triangles split in halves has 32 levels.
+  static constexpr int most_levels = 64;
   const Triangle* triangles = nullptr;
   const TriangleNode* nodes = nullptr;
 
-  /// As TriangleTree::nearest.
+  /// The surface's point nearest to p; TriangleTree::nearest() explains the parameters.
   SPINDRIFT_HD SPINDRIFT_APART NearestPoint nearest(const glm::vec3& p, std::uint32_t guess = 0,
                                                     float tolerance = 0) const {
     NearestPoint best{nearest_on_triangle(p, triangles[guess]), 0, guess};
@@ -125,7 +128,7 @@ struct TriangleTreeView {
       }
       if (node.count > 0)
         continue;
-      // The nearer child is looked at first.
+      // The nearer child is visited first.
       Waiting nearer{node.first, squared_distance_to_box(p, nodes[node.first])};
       Waiting farther{next.node + 1, squared_distance_to_box(p, nodes[next.node + 1])};
       if (farther.squared < nearer.squared)
@@ -137,7 +140,7 @@ struct TriangleTreeView {
     return best;
   }
 
-  /// Where a way first passes a triangle from its front to its back.
+  /// Where a straight path first passes a triangle from its front to its back.
   SPINDRIFT_HD SPINDRIFT_APART Entry entry(const glm::vec3& from, const glm::vec3& to) const {
     const glm::vec3 low = glm::min(from, to), high = glm::max(from, to);
     const glm::dvec3 begin(from), way = glm::dvec3(to) - begin;
@@ -162,22 +165,27 @@ struct TriangleTreeView {
   }
 };
 
+/// A view of a DistanceGrid in memory that the loops can read.
 struct DistanceGridView {
+  /// Cells along a block's edge.
   static constexpr int block_cells = 8;
-  static constexpr int block_nodes = block_cells + 1;  ///< neighbours have a layer in common
+  /// Nodes along a block's edge; neighbouring blocks have a layer of nodes in common.
+  static constexpr int block_nodes = block_cells + 1;
+  /// Entries of `blocks` for blocks that are not stored.
   static constexpr std::int32_t outside = -1, inside = -2;
 
-  glm::vec3 origin{0.f};                 ///< m
-  float cell = 0;                        ///< m
+  glm::vec3 origin{0.f};                 ///< lowest corner of the grid, m
+  float cell = 0;                        ///< edge of a cell, m
   glm::ivec3 counts{0};                  ///< blocks along each axis
-  const std::int32_t* blocks = nullptr;  ///< number among the stored ones, or on which side it is
-  const float* values = nullptr;         ///< block after block, x fastest, m
+  const std::int32_t* blocks = nullptr;  ///< index among the stored blocks, or `outside`, `inside`
+  const float* values = nullptr;         ///< distances, block after block, x fastest, m
 
   struct Value {
-    float distance;      ///< m; infinite, with its sign, where nothing is stored: a cell or more
-    glm::vec3 gradient;  ///< of the distance
+    float distance;      ///< signed, m; ±∞ where nothing is stored: at least a cell away
+    glm::vec3 gradient;  ///< of the distance; 0 where nothing is stored
   };
 
+  /// The signed distance at a point (m), negative inside, by trilinear interpolation.
   SPINDRIFT_HD Value at(const glm::vec3& p) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const glm::vec3 u = (p - origin) * (1 / cell);
@@ -196,7 +204,7 @@ struct DistanceGridView {
     const float* v =
         values + (std::size_t(block) * block_nodes + local.z) * layer + local.y * row + local.x;
     const glm::vec3 t = u - glm::vec3(whole);
-    // Linear along x on the cell's four edges, then along y on two faces, then along z.
+    // Interpolates along x on the cell's four edges, then along y on two faces, then along z.
     const float near_low = mix(v[0], v[1], t.x), near_high = mix(v[row], v[row + 1], t.x);
     const float far_low = mix(v[layer], v[layer + 1], t.x),
                 far_high = mix(v[layer + row], v[layer + row + 1], t.x);
@@ -212,13 +220,15 @@ struct DistanceGridView {
   SPINDRIFT_HD static float mix(float a, float b, float s) { return a + s * (b - a); }
 };
 
+/// A view of a MeshBody in memory that the loops can read.
 struct MeshView {
   TriangleTreeView tree;
   DistanceGridView grid;
-  float depth = 0;      ///< down to which the grid's distances are right, m
-  float tolerance = 0;  ///< within which a point counts as on the surface, m
+  float depth = 0;      ///< depth inside down to which the grid's distances are right, m
+  float tolerance = 0;  ///< depth below the surface up to which a point counts as on it, m
 
-  /// As MeshBody::push_out.
+  /// The point on the surface nearest to `p`, if `p` is inside; otherwise `p` itself, m.
+  /// MeshBody::push_out() states the accuracy.
   SPINDRIFT_HD SPINDRIFT_APART glm::vec3 push_out(const glm::vec3& p) const {
     const DistanceGridView::Value value = grid.at(p);
     if (value.distance >= 0)
@@ -233,15 +243,16 @@ struct MeshView {
     return tree.nearest(p).point;
   }
 
-  /// Whether the surface is surely farther from a place than a distance, m, and the place outside.
-  /// Linear in between, the grid's distance is off by no more than the cell's half diagonal.
+  /// Whether a point is certainly outside and farther than `reach` (m) from the surface. The grid's
+  /// interpolated distance is off by no more than half the diagonal of a cell.
   SPINDRIFT_HD bool is_clear(const glm::vec3& p, float reach) const {
     const float distance = grid.at(p).distance;
     return std::isfinite(distance) ? 0.95f * distance - 0.87f * grid.cell > reach
                                    : distance > 0 && reach < grid.cell;
   }
 
-  /// Where a way enters the body, or would if it went on by a margin, m.
+  /// Where a straight path enters the body, or would enter it if it went on by a margin (m); the
+  /// entry's `part` is then above 1.
   SPINDRIFT_HD Entry entry(const glm::vec3& from, const glm::vec3& to, float margin) const {
     const glm::vec3 way = to - from;
     const float length = glm::length(way);

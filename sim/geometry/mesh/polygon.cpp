@@ -10,12 +10,12 @@
 namespace spindrift::geometry {
 namespace {
 
-/// Twice the area of a triangle, positive where it winds counter-clockwise.
+/// Twice the signed area of a triangle, positive if it winds counter-clockwise.
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The corners in the plane of two axes, which they wind counter-clockwise in: the plane that is
+/// The corners projected onto a plane of two axes, in which they wind counter-clockwise: the plane
 /// nearest to the polygon's own, whose normal is that of Newell (Sutherland et al. 1974).
 std::vector<glm::dvec2> flattened(const std::vector<glm::vec3>& vertices,
                                   std::span<const std::uint32_t> corners) {
@@ -47,7 +47,7 @@ bool is_convex(const std::vector<glm::dvec2>& flat) {
   return true;
 }
 
-/// What is left of a polygon while its ears are clipped: a ring of corners.
+/// The ring of corners that is left of a polygon while its ears are clipped.
 class Ring {
  public:
   explicit Ring(std::vector<glm::dvec2> flat) : flat_(std::move(flat)), corners_(flat_.size()) {
@@ -86,8 +86,8 @@ class Ring {
     return turn_of(flat_[corners_[i].before], flat_[i], flat_[corners_[i].after]);
   }
 
-  /// Whether the triangle of a corner and its neighbours lies within the polygon: no other corner
-  /// is in it, but for those at the same places, where a polygon touches itself around a hole.
+  /// Whether the triangle of a corner and its two neighbours lies within the polygon: no other
+  /// corner is in it, except at the same positions, where a polygon touches itself around a hole.
   bool is_ear(std::size_t i) const {
     const glm::dvec2 &a = flat_[corners_[i].before], &b = flat_[i], &c = flat_[corners_[i].after];
     if (!(turn_of(a, b, c) > 0))

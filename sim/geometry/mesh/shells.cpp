@@ -9,14 +9,14 @@
 namespace spindrift::geometry {
 namespace {
 
-/// So many places are looked up at most, and so many pairs of shells compared whose boxes meet,
-/// which takes some seconds.
+/// The most points that are looked up, and the most pairs of shells with touching bounding boxes
+/// that are compared, which takes some seconds.
 constexpr std::size_t most_lookups = 10'000'000, most_pairs = 200'000'000;
 
-/// Places nearer to a shell than this part of its width are neither inside nor outside.
+/// Points nearer to a shell than this fraction of its width count as neither inside nor outside.
 constexpr float surface_part = 1e-5f;
 
-/// A shell as others are looked for in it.
+/// A shell, prepared for tests of which others it contains.
 class Enclosure {
  public:
   Enclosure(const TriangleSurface& surface, const Shell& shell)
@@ -35,7 +35,8 @@ class Enclosure {
   const glm::vec3& high() const { return high_; }
   double volume() const { return volume_; }
 
-  /// @param lookups goes up by the places that are looked up
+  /// Whether another shell lies wholly within this one.
+  /// @param lookups increases by the number of points that are looked up
   bool contains(const Enclosure& other, const TriangleSurface& surface, std::size_t& lookups) {
     if (glm::any(glm::lessThan(other.low_, low_)) ||
         glm::any(glm::greaterThan(other.high_, high_)) || volume_ <= other.volume_)
@@ -62,6 +63,7 @@ class Enclosure {
  private:
   float width() const { return glm::length(high_ - low_); }
 
+  /// The tree of the shell's triangles, built on first use.
   const TriangleTree& tree(const TriangleSurface& surface) {
     if (!tree_) {
       TriangleSurface part;

@@ -1,4 +1,4 @@
-// Which parts of a surface lie within others.
+// Finds which closed parts of a surface are cavities, by how many others each lies within.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace spindrift::geometry {
 
-/// A closed part of a surface.
+/// A connected, closed part of a surface.
 struct Shell {
-  std::vector<std::uint32_t> triangles;  ///< numbers in the surface
-  double volume;                         ///< within it, m³
+  std::vector<std::uint32_t> triangles;  ///< indices into the surface's triangles
+  double volume;                         ///< enclosed volume, m³
 };
 
-/// The shells that lie wholly within an odd number of others, by their numbers. One lies within
-/// another where none of its corners, nor the middle of any of its triangles, is outside that.
-/// @param surface whose triangles face out of each shell
-/// @throws MeshError where so many lie within others that telling would take minutes
+/// The indices of the shells that lie wholly within an odd number of others. A shell lies within
+/// another if none of its corners, nor the middle of any of its triangles, is outside the other.
+/// @param surface the triangles of all shells, facing out of each
+/// @throws MeshError if so many shells lie within others that the search would take minutes
 std::vector<std::size_t> cavities_among(const TriangleSurface& surface,
                                         const std::vector<Shell>& shells);
 

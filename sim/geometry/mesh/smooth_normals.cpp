@@ -3,12 +3,12 @@
 namespace spindrift::geometry {
 namespace {
 
-/// cos of the largest angle between two faces that look like one round surface.
+/// Cosine of the largest angle between two faces that are drawn as one round surface.
 constexpr float smooth_cosine = 0.8f;
 
 struct Face {
   glm::vec3 normal{0.f};  ///< of unit length
-  glm::vec3 angles{0.f};  ///< at its corners
+  glm::vec3 angles{0.f};  ///< at its corners, radians
 };
 
 Face face_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -25,12 +25,13 @@ Face face_of(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return face;
 }
 
+/// One corner of a triangle.
 struct Corner {
   std::size_t triangle;
-  int number;
+  int number;  ///< 0, 1 or 2
 };
 
-/// The normal at one corner of a vertex.
+/// The vertex normal at a corner, given all corners around the same vertex and all faces.
 glm::vec3 normal_at(const Corner& corner, const std::vector<Corner>& around,
                     const std::vector<Face>& faces) {
   glm::vec3 sum{0.f};

@@ -1,4 +1,4 @@
-// Triangles of a mesh with normals, to be drawn.
+// Vertex normals of a mesh, with which the renderer draws it smooth but for its sharp edges.
 #pragma once
 
 #include "sim/geometry/mesh/triangle_surface.hpp"
@@ -6,9 +6,9 @@
 
 namespace spindrift::geometry {
 
-/// A vertex gets as many normals as there are round surfaces that meet there: for each face the
-/// mean of the faces around the vertex that are not at a sharp angle to it, weighted by their
-/// angles (Thürmer & Wüthrich 1998).
+/// Appends the triangles of a surface with vertex normals. At each vertex the normal of a face is
+/// the mean over the faces around the vertex that are not at a sharp angle to it, weighted by their
+/// angles there (Thürmer & Wüthrich 1998); a vertex is repeated for each different normal.
 void tessellate_smooth(Tessellation& into, const TriangleSurface& surface);
 
 }  // namespace spindrift::geometry

@@ -1,4 +1,4 @@
-// Triangles that bound a body.
+// An indexed triangle mesh that bounds a body, and its volume and area.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,17 +13,17 @@ struct TriangleSurface {
   std::vector<glm::uvec3> triangles;  ///< indices into `vertices`
 };
 
-/// A mesh that can't be used. The message says what is wrong with it, for people.
+/// Thrown for a mesh that cannot be used. The message says what is wrong with it, for people.
 class MeshError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Volume inside a closed surface, m³, where bodies overlap more than once; negative when its
-/// triangles face inward.
+/// The volume inside a closed surface, m³. Where bodies overlap, the overlap counts once for each;
+/// the volume is negative if the triangles face inward.
 double enclosed_volume(const TriangleSurface& surface);
 
-/// Area of the triangles, m².
+/// The total area of the triangles, m².
 double area_of(const TriangleSurface& surface);
 
 }  // namespace spindrift::geometry

@@ -8,18 +8,19 @@ namespace spindrift::geometry {
 namespace {
 
 constexpr std::uint32_t most_triangles_in_leaf = 4;
-/// Twice the area of the triangle p, a, b in the plane of y and z. It changes its sign exactly, and
-/// nothing else, when a and b change places, so that two triangles with a common edge agree on
-/// which side of it p is.
+/// Twice the signed area of the triangle p, a, b projected onto the plane of y and z. Exchanging a
+/// and b changes exactly the sign, so that two triangles with a common edge agree on which side of
+/// it p is.
 double side_of(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
   const double ay = double{a.y} - p.y, az = double{a.z} - p.z;
   const double by = double{b.y} - p.y, bz = double{b.z} - p.z;
   return ay * bz - az * by;
 }
 
-/// +1 or −1 where, in the plane of y and z, the edge from a to b passes p on the right, upward or
-/// downward in z (Sunday 2001, "Inclusion of a point in a polygon"): the sum over a polygon's edges
-/// is how often it winds around p.
+/// +1 or −1 if, in the plane of y and z, the edge from a to b passes p on the right, upward or
+/// downward in z, else 0 (Sunday 2001, "Inclusion of a point in a polygon"): the sum over a
+/// polygon's edges is its winding number around p.
+/// @param side side_of(p, a, b)
 int crossing(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, double side) {
   if (a.z <= p.z)
     return b.z > p.z && side > 0 ? 1 : 0;
@@ -61,7 +62,7 @@ void TriangleTree::build(std::uint32_t begin, std::uint32_t end) {
 
 int TriangleTree::winding_number(const glm::vec3& p) const {
   int winding = 0;
-  // Triangles that the ray from p along +x passes, counted by the way that they face.
+  // Counts triangles that the ray from p along +x crosses, with the sign of the side they face.
   const auto count = [&](const Triangle& t) {
     const double a = side_of(p, t.b, t.c), b = side_of(p, t.c, t.a), c = side_of(p, t.a, t.b);
     const int turns =

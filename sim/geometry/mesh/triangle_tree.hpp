@@ -1,4 +1,4 @@
-// Triangles in a tree of boxes.
+// A bounding volume hierarchy of the triangles of a surface.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,24 @@
 
 namespace spindrift::geometry {
 
-/// Finds what is nearest to a point, and whether the point is inside.
+/// Finds the point of a surface nearest to a given point, and whether that point is inside.
 class TriangleTree {
  public:
   /// @param surface at least one triangle
   explicit TriangleTree(const TriangleSurface& surface);
 
   using Nearest = NearestPoint;
-  /// The surface's point nearest to p.
-  /// @param guess the nearest triangle of a point close by, which makes it faster
-  /// @param tolerance by which part the distance may be too large; some makes it much faster midway
-  /// between many triangles, as in the centre of a ball
+  /// The surface's point nearest to p, m.
+  /// @param guess the nearest triangle of a point close by, which speeds up the search
+  /// @param tolerance the fraction by which the distance may be too large; some tolerance makes the
+  /// search much faster midway between many triangles, as in the centre of a ball
   Nearest nearest(const glm::vec3& p, std::uint32_t guess = 0, float tolerance = 0) const {
     return view().nearest(p, guess, tolerance);
   }
 
-  /// How often the surface winds around p: 0 outside, 1 inside; more where closed surfaces overlap.
-  /// Exact, whichever way the triangles meet, when each edge is passed as often in one direction as
-  /// in the other.
+  /// The winding number of the surface around p: 0 outside, 1 inside, more where closed surfaces
+  /// overlap. It is exact, however the triangles meet, if each edge is traversed as often in one
+  /// direction as in the other.
   int winding_number(const glm::vec3& p) const;
 
   TriangleTreeView view() const { return {triangles_.data(), nodes_.data()}; }

@@ -1,4 +1,4 @@
-// A cylinder with half a ball on each end.
+// A capsule: a cylinder with half a ball on each end.
 #pragma once
 
 #include "sim/geometry/shapes/cylinder.hpp"
@@ -6,10 +6,10 @@
 
 namespace spindrift::geometry {
 
-/// All points within a radius of a line.
+/// All points within a radius of a line segment. Its members are described in `Box`.
 struct Capsule {
-  glm::vec3 from{0.f};          ///< one end of the line, m
-  glm::vec3 to{0.f, 1.f, 0.f};  ///< its other end, m
+  glm::vec3 from{0.f};          ///< one end of the segment, m
+  glm::vec3 to{0.f, 1.f, 0.f};  ///< the other end of the segment, m
   float radius = 0.5f;          ///< m
 
   static constexpr std::string_view name = "capsule";
@@ -49,6 +49,7 @@ struct Capsule {
 
   Box bounds() const { return {glm::min(from, to) - radius, glm::max(from, to) + radius}; }
 
+  /// The length of the segment, m.
   double length() const { return glm::distance(glm::dvec3(from), glm::dvec3(to)); }
   double volume() const {
     return std::numbers::pi * double{radius} * radius * (length() + 4. / 3 * double{radius});

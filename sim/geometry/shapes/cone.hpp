@@ -1,4 +1,4 @@
-// A cone, whole or cut off: a round body whose radius changes evenly from one flat end to the
+// A cone, whole or truncated: a round body whose radius changes linearly from one flat end to the
 // other.
 #pragma once
 
@@ -7,11 +7,12 @@
 
 namespace spindrift::geometry {
 
+/// A cone, whole or truncated. Its members are described in `Box`.
 struct Cone {
   glm::vec3 from{0.f};          ///< centre of one end, m
   glm::vec3 to{0.f, 1.f, 0.f};  ///< centre of the other end, or the tip, m
-  float radius = 0.5f;          ///< at `from`, m
-  float tip_radius = 0.f;       ///< at `to`, m
+  float radius = 0.5f;          ///< radius at `from`, m
+  float tip_radius = 0.f;       ///< radius at `to`, m; 0: a tip
 
   static constexpr std::string_view name = "cone";
   static constexpr auto fields = std::tuple{
@@ -32,7 +33,7 @@ struct Cone {
     const float r = glm::length(radial), width = radius - slope.narrowing * along;
     if (along <= 0 || along >= slope.length || r >= width)
       return p;
-    // The body is convex, so that the nearest of its three faces' planes has the nearest point.
+    // The body is convex, so the nearest point lies on the nearest of the three faces' planes.
     const float side = (width - r) * slope.cosine, below = along, above = slope.length - along;
     if (side <= below && side <= above) {
       const glm::vec3 out = r > 0 ? radial / r : across(axis);
@@ -53,7 +54,7 @@ struct Cone {
     return entry;
   }
 
-  /// Each of the three faces is moved out by the margin.
+  /// The cone with each of its three faces moved out by the margin, m.
   SPINDRIFT_HD Cone thickened(float margin) const {
     const Slope slope = this->slope();
     const glm::vec3 end = (margin / slope.length) * (to - from);
@@ -68,6 +69,7 @@ struct Cone {
     return {glm::min(from - base, to - tip), glm::max(from + base, to + tip)};
   }
 
+  /// The distance between the two ends, m.
   double length() const { return glm::distance(glm::dvec3(from), glm::dvec3(to)); }
   double volume() const {
     const double a = radius, b = tip_radius;
@@ -83,7 +85,7 @@ struct Cone {
     return {axis == 0, axis == 1, axis == 2};
   }
 
-  /// On the cone that each face moved in by half a spacing makes.
+  /// Samples on the surface of the cone whose three faces are moved in by half a spacing (m).
   std::vector<SurfaceSample> samples(float spacing) const {
     const Slope slope = this->slope();
     const float inset = 0.5f * spacing, thinner = inset / slope.cosine;
@@ -91,13 +93,13 @@ struct Cone {
       return std::max(radius - slope.narrowing * along - thinner, 0.f);
     };
     float begin = std::min(inset, 0.4f * slope.length), end = slope.length - begin;
-    // Where the sides meet before an end, they make the tip.
+    // Where the moved side meets in a tip before an end, the tip replaces that end.
     if (slope.narrowing > 0)
       end = std::min(end, (radius - thinner) / slope.narrowing);
     else if (slope.narrowing < 0)
       begin = std::max(begin, (radius - thinner) / slope.narrowing);
     const glm::vec3 axis = (to - from) / slope.length;
-    if (!(begin < end))  // thinner than a spacing: one in the middle of the wider half
+    if (!(begin < end))  // thinner than a spacing: one sample in the middle of the wider half
       return samples_at({from + (slope.narrowing > 0 ? 0.25f : 0.75f) * (to - from)});
     return samples_at(points_on_cone(from + begin * axis, from + end * axis,
                                      {radius_at(begin), radius_at(end)}, spacing));
@@ -113,17 +115,19 @@ struct Cone {
 
  private:
   struct Slope {
-    float length;     ///< m
-    float narrowing;  ///< by how much the radius falls along the axis, m/m
-    float cosine;     ///< of the angle between the side and the axis
+    float length;     ///< between the two ends, m
+    float narrowing;  ///< decrease of the radius along the axis, m/m
+    float cosine;     ///< cosine of the angle between the side and the axis
   };
   SPINDRIFT_HD Slope slope() const {
     const float length = glm::length(to - from), narrowing = (radius - tip_radius) / length;
     return {length, narrowing, 1 / std::sqrt(1 + narrowing * narrowing)};
   }
 
-  /// Leaves of a chord what is within the side, |o + t w| < width(t): a square inequality of t, and
-  /// the half of the double cone in which the width is above 0.
+  /// Intersects a chord with the space within the side, |o + t w| < width(t): a quadratic
+  /// inequality in t, restricted to the half of the double cone in which the width is above 0.
+  /// @param offset, way the path's beginning and the path, as components across the axis, m
+  /// @param along, way_along the same two as coordinates along the axis, m
   SPINDRIFT_HD void meet_side(Chord& chord, const glm::vec3& offset, const glm::vec3& way,
                               float along, float way_along, const glm::vec3& axis,
                               const Slope& slope) const {
@@ -134,7 +138,8 @@ struct Cone {
                  half_b = glm::dot(o, w) - widening * width, c = glm::dot(o, o) - width * width;
     constexpr double infinity = std::numeric_limits<float>::infinity();
     double begin = -infinity, end = infinity;
-    if (std::abs(a) <= 1e-12 * (glm::dot(w, w) + widening * widening)) {  // along the side
+    // A path that is parallel to the side has a linear inequality.
+    if (std::abs(a) <= 1e-12 * (glm::dot(w, w) + widening * widening)) {
       if (half_b > 0)
         end = -c / (2 * half_b);
       else if (half_b < 0)
@@ -150,7 +155,7 @@ struct Cone {
       if (a > 0) {
         begin = low;
         end = high;
-      } else if (widening > 0) {  // the way stays in the half that widens
+      } else if (widening > 0) {  // the path stays in the half that widens along it
         begin = std::max(low, high);
       } else {
         end = std::min(low, high);

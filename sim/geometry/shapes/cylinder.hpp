@@ -6,6 +6,7 @@
 
 namespace spindrift::geometry {
 
+/// A cylinder with flat ends. Its members are described in `Box`.
 struct Cylinder {
   glm::vec3 from{0.f};          ///< centre of one end, m
   glm::vec3 to{0.f, 1.f, 0.f};  ///< centre of the other end, m
@@ -35,6 +36,7 @@ struct Cylinder {
     return below <= above ? p - below * axis : p + above * axis;
   }
 
+  /// The part of the line from `start` to `start + way` (m) that is inside.
   SPINDRIFT_HD Chord chord(const glm::vec3& start, const glm::vec3& way) const {
     const float length = glm::length(to - from);
     const glm::vec3 axis = (to - from) / length, offset = start - from;
@@ -61,6 +63,7 @@ struct Cylinder {
     return {glm::min(from, to) - reach, glm::max(from, to) + reach};
   }
 
+  /// The distance between the two ends, m.
   double length() const { return glm::distance(glm::dvec3(from), glm::dvec3(to)); }
   double volume() const { return std::numbers::pi * double{radius} * radius * length(); }
   double area() const {

@@ -1,4 +1,4 @@
-// A ball.
+// A ball as a shape.
 #pragma once
 
 #include "sim/geometry/round.hpp"
@@ -6,6 +6,7 @@
 
 namespace spindrift::geometry {
 
+/// A solid ball. Its members are described in `Box`.
 struct Sphere {
   glm::vec3 center{0.f};  ///< m
   float radius = 0.5f;    ///< m

@@ -1,4 +1,4 @@
-// A body bounded by triangles that a file holds.
+// A solid bounded by the triangles of a mesh file, as a shape.
 #pragma once
 
 #include <memory>
@@ -9,19 +9,22 @@
 
 namespace spindrift::geometry {
 
-/// A mesh as loops over particles look at it, wherever they run.
+/// The representation of a mesh in loops over particles, on the host or on a device.
 struct MeshSolid {
-  const MeshView* view = nullptr;  ///< where loops find it
+  const MeshView* view = nullptr;  ///< in memory that the loops can read
 
+  /// Calls MeshView::push_out().
   SPINDRIFT_HD glm::vec3 push_out(const glm::vec3& p) const { return view->push_out(p); }
 };
 
+/// A solid read from a mesh file. Its members are described in `Box` and need `body`; `MeshSolid`
+/// stands for it in collisions.
 struct TriangleMesh {
-  std::string file;                      ///< OBJ or PLY
+  std::string file;                      ///< path of the OBJ or PLY file
   float scale = 1.f;                     ///< metres per unit of the file
-  glm::vec3 rotate{0.f};                 ///< about x, then y, then z, after scaling, degrees
+  glm::vec3 rotate{0.f};                 ///< angles about x, then y, then z, after scaling, degrees
   glm::vec3 translate{0.f};              ///< after rotating, m
-  std::shared_ptr<const MeshBody> body;  ///< what was read, in its place; all that is looked at
+  std::shared_ptr<const MeshBody> body;  ///< the mesh that was read, scaled, rotated and translated
 
   static constexpr std::string_view name = "mesh";
   static constexpr auto fields = std::tuple{
@@ -35,10 +38,10 @@ struct TriangleMesh {
             "degrees"},
       Field{"translate", &TriangleMesh::translate, "where the file's origin is put", places, "m"}};
 
-  std::string problem() const { return ""; }  // said where it is read
+  std::string problem() const { return ""; }  // the mesh reader reports problems
 
   Box bounds() const { return body->bounds(); }
-  /// Of a mesh whose parts overlap, the sum of theirs.
+  /// The volume, m³; where parts of the mesh overlap, the sum of the parts' volumes.
   double volume() const { return enclosed_volume(body->surface()); }
   double area() const { return area_of(body->surface()); }
   glm::bvec3 flat_along() const { return glm::bvec3(true); }
