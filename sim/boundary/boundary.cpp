@@ -12,14 +12,16 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// A single layer has no second one behind it that would stop what has come through between two
-/// samples; it is made this much denser. Measured: with 1, a cup of walls 0.3 spacings thick loses
-/// one particle in a hundred in half a second; with 1.6, none, dropped into it at 3 m/s.
+/// The factor by which the volumes in a wall's single layer are raised: it has no second layer
+/// behind it that would stop a fluid particle which has come through between two boundary
+/// particles. Measured with a cup whose walls are 0.3 spacings thick: with 1 it loses one particle
+/// in a hundred in half a second; with 1.6, none of the liquid dropped into it at 3 m/s.
 constexpr float single_layer_excess = 1.6f;
 
-/// One layer of samples has fewer neighbours than a full solid, so that 1/ΣW is too large a volume.
-/// This factor makes it right for a flat layer on a lattice of the liquid's spacing: there V_b = d³
-/// exactly, and a lattice of liquid at rest on a flat wall has the rest density.
+/// The factor that corrects the volume 1/ΣW, which is too large because one layer of boundary
+/// particles has fewer neighbours than a full solid. The factor is exact for a flat layer on a
+/// lattice of the liquid's spacing: there V_b = d³, and a lattice of liquid at rest on a flat wall
+/// has the rest density.
 float flat_layer_factor(const CubicKernel& kernel, float spacing, float radius) {
   double sum = 0;
   for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
@@ -29,8 +31,8 @@ float flat_layer_factor(const CubicKernel& kernel, float spacing, float radius) 
   return static_cast<float>(sum / lattice_kernel_sum(kernel, spacing, radius));
 }
 
-/// Share of a sample's density ratio that liquid at rest on a flat wall contributes, the lattice's
-/// first layer being one spacing away.
+/// The share of a boundary particle's density ratio that liquid at rest on a flat wall contributes,
+/// the first layer of the liquid's lattice being one spacing away.
 float flat_liquid_share(const CubicKernel& kernel, float spacing, float radius) {
   double sum = 0;
   for_lattice_points(spacing, radius, [&](const Vec3<float>& p) {
@@ -40,7 +42,7 @@ float flat_liquid_share(const CubicKernel& kernel, float spacing, float radius) 
   return static_cast<float>(sum / lattice_kernel_sum(kernel, spacing, radius));
 }
 
-/// A kernel's values on a fine lattice over its support, which are the same around every sample.
+/// A kernel's values on a fine lattice over its support, computed once for all boundary particles.
 class SupportLattice {
  public:
   SupportLattice(const CubicKernel& kernel, float radius) : cell_(2 * radius / cells_across) {
@@ -56,7 +58,8 @@ class SupportLattice {
         }
   }
 
-  /// ∫ W over the part of the support for which `free` holds, by the midpoint rule.
+  /// ∫ W over the part of the support for which `free(p)` is true, by the midpoint rule; p is
+  /// relative to the boundary particle, m.
   template <class Free>
   double free_part(Free free) const {
     double sum = 0;
@@ -69,10 +72,10 @@ class SupportLattice {
  private:
   static constexpr int cells_across = 16;
   struct Point {
-    Vec3<float> place;  ///< from the sample, m
-    float value;        ///< 1/m³
+    Vec3<float> place;  ///< relative to the boundary particle, m
+    float value;        ///< of the kernel, 1/m³
   };
-  float cell_;  ///< m
+  float cell_;  ///< step of the lattice, m
   std::vector<Point> points_;
 };
 
@@ -80,8 +83,8 @@ void place_sentinel(PointField& field, std::uint32_t n) {
   field.view().set(n, {sentinel_position, sentinel_position, sentinel_position});
 }
 
-/// Samples of the domain's walls and of all obstacles, those left out that are beyond the walls and
-/// never near any liquid.
+/// The samples of the domain's walls and of all obstacles, without those that are beyond the walls
+/// and therefore never near any liquid.
 std::vector<SurfaceSample> sample_all(const Settings& settings, Stop stop) {
   const float spacing = settings.fluid.spacing;
   const glm::vec3 low = settings.domain.min - spacing, high = settings.domain.max + spacing;
@@ -188,12 +191,13 @@ void Boundary::replace(Executor& executor, const Array<Sample>& samples,
   });
 }
 
-/// The volumes give the liquid the rest density: where samples are in a single layer, at the sample
-/// itself (Akinci et al. 2012, eq. 4). On the walls of the domain what counts is how much the
-/// sample's sum is more than the walls' own, so that a lattice of liquid has the rest density in
-/// their edges and corners too. In a thin wall it is the density of the liquid's first
-/// particles that is made right, one spacing away, as far as this wall gives it and not one that
-/// stands at an angle to it: with two layers, that counts both; with one, it keeps the volumes from
+/// Chooses the volumes so that liquid at rest has the rest density. Around a thick solid the
+/// condition is on the density at the boundary particle itself (Akinci et al. 2012, eq. 4). On the
+/// walls of the domain the volume shrinks only by as much as the particle's kernel sum exceeds that
+/// over the walls alone, so that a lattice of liquid has the rest density in their edges and
+/// corners too. In a thin wall the condition is on the density of the liquid's first particles, one
+/// spacing away, as far as this wall contributes to it and not a wall that stands at an angle to
+/// it: that counts both layers where there are two, and keeps the volumes of a single layer from
 /// shrinking where walls meet.
 void Boundary::measure_volumes(const Settings& settings, const std::vector<SurfaceSample>& samples,
                                const GridMap& map, const CubicKernel& kernel, float radius,
@@ -245,9 +249,10 @@ void Boundary::measure_volumes(const Settings& settings, const std::vector<Surfa
   }
 }
 
-/// A sample's solid makes up for what the liquid does not when it is at rest around it: at a flat
-/// wall the known lattice sum, elsewhere (edges, corners, curved obstacles) that in proportion to
-/// the free space. In one of two layers, liquid on the wall's other side does not count.
+/// Sets `solid` of each boundary particle to what liquid at rest around it leaves missing of the
+/// density ratio 1. That liquid's contribution is the known lattice sum at a flat wall, and
+/// elsewhere (edges, corners, curved obstacles) the same in proportion to the free space. For a
+/// particle in one of a wall's two layers, liquid on the wall's other side does not count.
 void Boundary::measure_solids(const Settings& settings, const std::vector<SurfaceSample>& samples,
                               const CubicKernel& kernel, float radius, Stop stop) {
   const float spacing = settings.fluid.spacing;
@@ -282,7 +287,7 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
       if (is_open(p))
         lattice += kernel.value(square_root(dot(p, p)));
     });
-    // Liquid lies as a lattice along the walls of the domain, in edges and corners too.
+    // Along the walls of the domain liquid lies as a lattice, in edges and corners too.
     const bool at_bare_wall =
         sample.side == SurfaceSample::Side::domain &&
         (settings.obstacles.empty() ||

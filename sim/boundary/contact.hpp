@@ -1,6 +1,6 @@
-// Walls' and obstacles' surfaces as a last contact: pressure from boundary particles keeps the
-// liquid off them; a lone particle has no pressure, and is stopped here, without a bounce and
-// without friction.
+// The surfaces of walls and obstacles as a last resort against penetration. Pressure from boundary
+// particles keeps the liquid off them; a lone particle has no pressure and is stopped here, without
+// a bounce and without friction.
 #pragma once
 
 #include "sim/backend/backend.hpp"
@@ -9,25 +9,28 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+/// All solid surfaces, as plain data that loops over particles can capture.
 struct ContactView {
-  Vec3<float> min, max;  ///< inner faces of the domain, m
+  Vec3<float> min, max;  ///< corners of the domain's inside, m
   ObstacleView obstacles = {};
   OpenFaces open = {};
 
-  /// The point itself, or the nearest one that is inside the domain and outside every obstacle, m.
-  /// Beyond an open face there are no walls.
+  /// The point itself, if it is inside the domain and outside every obstacle; otherwise a point
+  /// near it that is, m. Beyond an open face there are no walls.
   SPINDRIFT_HD Vec3<float> resolve(const Vec3<float>& p) const {
     return in_domain(obstacles.hold(p));
   }
 
-  /// The same for a particle that goes there from `from`: no part of its way is in an obstacle. At
-  /// a surface it goes on along it; where that leads on into another, it may not get any further.
-  /// @param since where bodies that move are when it is at `from`
+  /// Where a particle ends that moves from `from` to `p`, m: no part of its path is in an obstacle.
+  /// At a surface it goes on along that surface; where this leads into too many others in turn, it
+  /// stays at `from`, or where a moving obstacle pushes it from there.
+  /// @param since where moving bodies are when the particle is at `from`
   SPINDRIFT_HD Vec3<float> resolve(const Vec3<float>& from, Vec3<float> p,
                                    Since since = Since::end) const {
     if (!obstacles.any())
       return in_domain(p);
-    // Most are far from all obstacles, which one look at each tells: what follows takes three.
+    // Most particles are far from all obstacles, which one test of each shows; the rest takes
+    // three.
     const Vec3<float> inside = in_domain(p);
     if (inside.x == p.x && inside.y == p.y && inside.z == p.z && obstacles.is_clear(from, p))
       return p;
@@ -44,14 +47,15 @@ struct ContactView {
     return obstacles.keep_out_of_bodies(from, from, since);
   }
 
-  /// The same with walls of the domain that are a distance, m, further in.
+  /// Does the same with walls of the domain that are a distance (m) further in.
   SPINDRIFT_HD Vec3<float> resolve_off_walls(const Vec3<float>& from, const Vec3<float>& p,
                                              float distance) const {
     const Vec3<float> off{distance, distance, distance};
     return ContactView{min + off, max - off, obstacles, open}.resolve(from, p);
   }
 
-  /// The same, but no further off a wall than `start`, from which the particle came in this step.
+  /// Does the same, but keeps the particle no further off a wall than `start`, its position at the
+  /// beginning of the step, is (m).
   SPINDRIFT_HD Vec3<float> stop_off_walls(const Vec3<float>& from, const Vec3<float>& p,
                                           const Vec3<float>& start, float distance) const {
     return ContactView{{lower(min.x, start.x, distance), lower(min.y, start.y, distance),

@@ -1,4 +1,4 @@
-// Points on the walls of the domain.
+// Positions of the boundary particles of the domain's walls.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,13 @@
 
 namespace spindrift::sim {
 
-/// Points on the walls of the domain, half a spacing outside its faces, on a lattice that is
-/// aligned with the liquid's where the domain is a whole number of spacings wide, m.
+/// Positions of the boundary particles of the domain's walls, m: half a spacing (m) outside its
+/// closed faces, on a lattice that is aligned with the liquid's where the domain is a whole number
+/// of spacings wide.
 std::vector<glm::vec3> sample_walls(const DomainSettings& domain, float spacing);
 
-/// Distance between neighbouring samples of the walls along x, y and z, m; about the spacing.
+/// The distances between neighbouring boundary particles of the walls along x, y and z, m; each is
+/// about the spacing.
 glm::vec3 wall_lattice_step(const DomainSettings& domain, float spacing);
 
 }  // namespace spindrift::sim

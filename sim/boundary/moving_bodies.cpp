@@ -8,23 +8,26 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// Samples that lie as deep as another solid's own layer count as at the same place within this
-/// many spacings.
+/// The tolerance, in spacings, within which a boundary particle counts as lying at the depth of
+/// another solid's own layer.
 constexpr float same_layer = 1e-3f;
 
-/// Parts of a step in which a body's way is looked at.
+/// The number of instants within a step at which the displacement of a body is checked.
 constexpr int parts = 4;
 
+/// The depth of a point below the surface of a solid, m; 0 outside.
 SPINDRIFT_HD float deep_in(const Solid& solid, const Vec3<float>& p) {
   const Vec3<float> push = push_out_of(solid, p) - p;
   return square_root(dot(push, push));
 }
 
+/// Whether a point is in a box that is enlarged by `reach` (m) on all sides.
 SPINDRIFT_HD bool is_near(const Box& box, const Vec3<float>& p, float reach) {
   return p.x > box.min.x - reach && p.y > box.min.y - reach && p.z > box.min.z - reach &&
          p.x < box.max.x + reach && p.y < box.max.y + reach && p.z < box.max.z + reach;
 }
 
+/// The force by pressure of boundary particle b on the liquid, N.
 template <class Kernel>
 SPINDRIFT_HD Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c,
                                         const Kernel& kernel, const PointView& at,
@@ -39,6 +42,7 @@ SPINDRIFT_HD Vec3<float> pressure_force(std::uint32_t b, const FluidConstants& c
   return (-c.volume * volume) * sum;
 }
 
+/// The force by wall friction of boundary particle b on the liquid, N.
 SPINDRIFT_HD Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& kernel,
                                         const PointView& position, const PointView& velocity,
                                         const BoundaryView& boundary) {
@@ -89,7 +93,8 @@ MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundar
   put(fixed_bounds_, bounds);
 }
 
-/// Samples of one body, alone in the open.
+/// Appends the boundary particles of one body, with the volumes and `solid` that they have when the
+/// body is alone in the open.
 void MovingBodies::add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& all,
                        std::vector<int>& owners, Stop stop) const {
   const float spacing = settings_.fluid.spacing, radius = 2 * spacing;
@@ -204,7 +209,7 @@ double MovingBodies::step_within(double distance, double time, double longest) c
   for (const Obstacle& obstacle : settings_.obstacles) {
     if (!obstacle.motion)
       continue;
-    // A turn to and fro must not look like rest.
+    // At most a quarter of a period: a swing to and fro within a step would look like rest.
     for (const Oscillation& o : obstacle.motion->oscillations)
       step = std::min(step, 0.25 / std::max(1e-9, std::abs(double{o.frequency})));
     if (obstacle.motion->spin)
@@ -212,7 +217,7 @@ double MovingBodies::step_within(double distance, double time, double longest) c
           std::min(step, 0.25 / std::max(1e-9, std::abs(double{obstacle.motion->spin->frequency})));
     const Box bounds = bounds_of(obstacle.shape);
     const Pose before = pose_at(obstacle, time);
-    // Each coordinate of the way is linear in the place, so that the corners go farthest.
+    // Each coordinate of the displacement is linear in the position, so the corners move farthest.
     const auto farthest = [&](double after) {
       const Pose pose = pose_at(obstacle, time + after);
       double way = 0;

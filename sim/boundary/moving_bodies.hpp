@@ -1,13 +1,13 @@
-// Obstacles that move, as boundary samples among those of the walls: where they are during a step,
-// and what they do to the liquid.
+// The boundary particles of obstacles that move: where they are during a step, which of them count,
+// and the work that they do on the liquid.
 //
-// A body that moves keeps its volumes and its `solid` (sim/boundary/boundary.hpp), found for it
-// alone. Where two solids overlap, as a piston and the walls it runs along, each would add its own
-// layer of samples, and the liquid would be too dense there; so a sample that lies deeper in
-// another solid than that one's own layer, half a spacing, is left out. Of two layers at the same
-// place, that of the body which moves stays, and of two such the later one's. Where two layers meet
-// at an angle, samples of both that are closer than a spacing share the place: V_b / (1 + Σ max(0,
-// 1 − r/d)).
+// A moving body keeps its volumes and its `solid` (sim/boundary/boundary.hpp), which are computed
+// for it alone. Where two solids overlap, as a piston and the walls that it runs along, each would
+// add its own layer of boundary particles, and the liquid would be too dense there. So a boundary
+// particle that lies deeper in another solid than that one's own layer, half a spacing, is left
+// out. Of two layers at the same place, that of the moving body stays, and if both move, that of
+// the later one. Where two layers meet at an angle, boundary particles of both that are closer than
+// a spacing share the volume: V_b / (1 + Σ max(0, 1 − r/d)).
 #pragma once
 
 #include <vector>
@@ -19,55 +19,67 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
-/// What is solid, as loops over samples look at it.
+/// All solids, as plain data that loops over boundary particles can capture.
 struct SolidsView {
-  static constexpr int fixed = -1;  ///< as the owner of a sample
-  const PosedBody* bodies;
+  static constexpr int fixed = -1;  ///< the owner of a boundary particle of what does not move
+  const PosedBody* bodies;          ///< the moving obstacles
   int body_count;
-  const Solid* solids;  ///< that are fixed
-  const Box* bounds;    ///< of those, m
+  const Solid* solids;  ///< the fixed obstacles
+  const Box* bounds;    ///< the bounding boxes of `solids`, m
   int solid_count;
   Inside domain;
-  float spacing;  ///< m
+  float spacing;  ///< of the particles, m
 
-  /// Whether another solid's layer of samples lies between a sample and the liquid.
+  /// Whether another solid's layer of boundary particles lies between a boundary particle and the
+  /// liquid.
+  /// @param p the boundary particle's position, m
+  /// @param owner the index of its body, or `fixed`
   SPINDRIFT_HD bool is_covered(const Vec3<float>& p, int owner) const;
 
-  /// False where no solid that moves relative to the sample's own can have samples within a
-  /// spacing.
+  /// Whether a solid that moves relative to the owner may have boundary particles within a spacing
+  /// of p; false is certain, true is not.
   SPINDRIFT_HD bool may_meet_another(const Vec3<float>& p, int owner) const;
 };
 
+/// The moving obstacles of a run. Before each step it places their boundary particles among the
+/// fixed ones of a Boundary.
 class MovingBodies {
  public:
-  /// @param boundary the samples of what is fixed; this object puts the others among them
-  /// @param meshes   where loops find meshes
+  /// @param boundary the boundary particles of what is fixed; this object adds the others to them
+  /// @param meshes the meshes where loops find them
+  /// @throws Stopped
   MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary, Meshes& meshes,
                Stop stop);
 
-  /// The samples of all solids, where the scene puts them; those of what is fixed first, as they
-  /// were in the boundary that this object was made with.
+  /// The boundary particles of all solids, where the scene places them; first those of what is
+  /// fixed, in the order of the boundary that this object was made with.
   Boundary::Sample* samples() { return samples_.data(); }
 
-  /// Puts the samples where the bodies are at the end of a step, s.
+  /// Moves the bodies and their boundary particles to where they are at the end of a step from
+  /// `start` to `end`, s.
   void place(Executor& executor, double start, double end);
 
-  /// The bodies as they were placed.
+  /// The moving bodies as they were last placed.
   const Array<PosedBody>& bodies() const { return bodies_; }
 
-  /// The longest step of at most `longest` (s) from a time on in which no point of a body goes
-  /// farther than `distance`, m.
+  /// The longest time step from a time (s) on, at most `longest` (s), in which no point of a body
+  /// moves farther than `distance`, m.
   double step_within(double distance, double time, double longest) const;
 
-  /// Pressures of all samples, in an order that does not depend on where they are, Pa.
+  /// The pressures of all boundary particles, Pa, in the order of samples().
   Copy<float> pressures(Executor& executor);
   std::size_t sample_count() const { return samples_.size(); }
+  /// Sets the pressures of all boundary particles, Pa, in the order of samples().
   void set_pressures(const std::vector<float>& pressures);
 
   std::size_t memory_bytes() const;
 
-  // Parts of place(); public since CUDA has no loops in private functions.
+  // The following are parts of other members; they are public since CUDA allows no loops in private
+  // functions.
+
+  /// Copies what the boundary particles carry from step to step back into samples().
   void keep_pressures(Executor& executor);
+  /// Lessens the volumes of boundary particles where the layers of two solids meet at an angle.
   void share_places(Executor& executor, const SolidsView& solids);
 
  private:
@@ -82,16 +94,16 @@ class MovingBodies {
   Array<Solid> fixed_solids_;
   Array<Box> fixed_bounds_;
   Array<PosedBody> bodies_;
-  Array<Boundary::Sample> samples_;  ///< of all solids, where the scene puts them
-  Array<Boundary::Sample> here_;     ///< where they are
-  Array<int> owners_;                ///< per sample: the scene's number of a body, or `fixed`
-  Array<std::uint8_t> covered_;      ///< per sample
-  Array<std::uint32_t> open_;        ///< numbers of the samples that are not covered
-  Array<std::uint32_t> placed_;      ///< the same, as they are sorted in the boundary
+  Array<Boundary::Sample> samples_;  ///< of all solids, where the scene places them
+  Array<Boundary::Sample> here_;     ///< the same where they are at the end of the step
+  Array<int> owners_;                ///< per sample: index into bodies_, or `fixed`
+  Array<std::uint8_t> covered_;      ///< per sample: 1 if it is left out
+  Array<std::uint32_t> open_;        ///< indices of the samples that are not left out
+  Array<std::uint32_t> placed_;      ///< the same in the order of the boundary
 };
 
-/// Work of the moving bodies on the liquid in a step of length `time_step` (s), J: pressure and
-/// friction of each sample on the liquid times the way that the sample goes,
+/// The work of the moving bodies on the liquid in a step of size `time_step` (s), J: the force of
+/// each boundary particle on the liquid by pressure and friction times the particle's displacement,
 ///   F_b = −V V_b Σᵢ (pᵢ + p_b) ∇W + 2 μ_b V_b Σᵢ w (v_b − vᵢ).
 double wall_work(Executor& executor, const FluidConstants& constants, PressureKernel kernel,
                  Particles& particles, const BoundaryView& boundary, float time_step);

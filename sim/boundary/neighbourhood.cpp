@@ -3,7 +3,8 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// What brings the particles' fields into a new order, each by way of memory that is free.
+/// Brings a field of the particles into the grid's new order, by copying it into a spare array and
+/// swapping the two.
 struct Reordering {
   Executor& executor;
   Particles& particles;

@@ -1,4 +1,5 @@
-// Keeps the particles sorted by cell and their neighbour lists up to date.
+// Keeps the fluid particles sorted by cell and the neighbour lists of fluid and boundary particles
+// up to date.
 #pragma once
 
 #include "sim/backend/backend.hpp"
@@ -7,17 +8,21 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+/// The cell grid of the fluid particles and the neighbour lists that a step works with.
 class Neighbourhood {
  public:
+  /// @param map the cells of all places where particles may be
   Neighbourhood(const GridMap& map, Boundary& boundary) : map_(map), boundary_(boundary) {}
 
-  /// Sorts the particles by the cells of their drifted positions and lists, around those, all fluid
-  /// and boundary particles within `radius`. Carries along the state and the drifted positions and
-  /// velocities.
+  /// Sorts the particles by the cells of their drifted positions and lists, around these positions,
+  /// all fluid and boundary particles within `radius`, m. All fields of the particles but scratch
+  /// fields are brought into the new order.
   void update(Executor& executor, Particles& particles, float radius);
 
   CellGridView grid() const { return grid_.view(); }
+  /// The fluid neighbours of each fluid particle.
   NeighbourView fluid() const { return fluid_.view(); }
+  /// The boundary particles, with the neighbour lists between them and the fluid particles.
   BoundaryView boundary() {
     return {.position = boundary_.positions(),
             .solid = boundary_.solids(),
@@ -41,9 +46,9 @@ class Neighbourhood {
   GridMap map_;
   Boundary& boundary_;
   CellGrid grid_;
-  NeighbourLists fluid_, boundary_lists_;
-  NeighbourLists wet_lists_;  ///< of each boundary sample: fluid particles
-  Array<std::uint32_t> wet_;  ///< boundary samples with fluid neighbours
+  NeighbourLists fluid_, boundary_lists_;  ///< neighbours of each fluid particle
+  NeighbourLists wet_lists_;               ///< fluid neighbours of each boundary particle
+  Array<std::uint32_t> wet_;  ///< indices of the boundary particles with fluid neighbours
 };
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

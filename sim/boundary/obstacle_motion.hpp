@@ -1,4 +1,4 @@
-// Obstacles that move among those that stand still.
+// Queries about which obstacles of a scene move, and how.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace spindrift::sim {
 
-/// Where an obstacle is at a time, s; one that is fixed is where the scene puts it.
+/// The pose of an obstacle at a time, s; a fixed obstacle stays where the scene places it.
 Pose pose_at(const Obstacle& obstacle, double time);
 
 /// Whether any obstacle moves.
@@ -16,7 +16,7 @@ bool any_moves(const std::vector<Obstacle>& obstacles);
 /// The settings without the obstacles that move.
 Settings without_moving(const Settings& settings);
 
-/// About the fastest speed that any point of an obstacle reaches, m/s; 0 if it is fixed.
+/// Estimates the highest speed that any point of an obstacle reaches, m/s; 0 if it is fixed.
 float fastest_speed(const Obstacle& obstacle);
 
 }  // namespace spindrift::sim

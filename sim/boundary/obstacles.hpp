@@ -1,4 +1,5 @@
-// Obstacles as loops look at them: of every shape, fixed and moving.
+// A view of all obstacles, fixed and moving, for loops over particles: it keeps particles outside
+// them.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +10,11 @@
 
 namespace spindrift::sim {
 
+/// All obstacles, as plain data that loops can capture.
 struct ObstacleView {
-  const Solid* solids = nullptr;  ///< those that are fixed
+  const Solid* solids = nullptr;  ///< the fixed obstacles
   std::uint32_t count = 0;
-  const PosedBody* bodies = nullptr;  ///< those that move
+  const PosedBody* bodies = nullptr;  ///< the moving obstacles
   std::uint32_t body_count = 0;
   float margin = 0;  ///< how near to a solid's surface particles may come, m
 
@@ -29,30 +31,30 @@ struct ObstacleView {
   SPINDRIFT_HD bool any() const { return count > 0 || body_count > 0; }
   SPINDRIFT_HD bool any_moves() const { return body_count > 0; }
 
-  /// The point itself, or one outside every obstacle, near it.
+  /// The point itself, or, if it is in an obstacle, a point near it that has been pushed out of
+  /// each in turn, m.
   SPINDRIFT_HD Vec3<float> hold(Vec3<float> p) const {
     p = hold_off_bodies(p);
     for (std::uint32_t k = 0; k < count; ++k)
       p = push_out_of(solids[k], p);
     return p;
   }
-  /// The same of those that move alone.
+  /// Does the same for the moving obstacles alone.
   SPINDRIFT_HD Vec3<float> hold_off_bodies(Vec3<float> p) const {
     for (std::uint32_t k = 0; k < body_count; ++k)
       p = bodies[k].hold(p);
     return p;
   }
 
-  /// The point itself, or one that a particle gets to which goes there from `from` and may not pass
-  /// what moves.
-  /// @param since where the bodies are when it is at `from`
+  /// Where a particle ends that moves from `from` to `p` and may not pass a moving obstacle, m.
+  /// @param since where the moving obstacles are when the particle is at `from`
   SPINDRIFT_HD Vec3<float> keep_out_of_bodies(const Vec3<float>& from, Vec3<float> p,
                                               Since since) const {
     for (std::uint32_t k = 0; k < body_count; ++k)
       p = bodies[k].keep_out(from, p, since, margin);
     return p;
   }
-  /// The same of every obstacle.
+  /// Does the same for every obstacle.
   SPINDRIFT_HD Vec3<float> keep_out(const Vec3<float>& from, Vec3<float> p, Since since) const {
     p = keep_out_of_bodies(from, p, since);
     for (std::uint32_t k = 0; k < count; ++k) {
@@ -63,8 +65,8 @@ struct ObstacleView {
     return p;
   }
 
-  /// Whether no obstacle is anywhere near a way; may be false for one that none is near, as where
-  /// any of them moves.
+  /// Whether a path is certainly clear of all obstacles; false says nothing, and is the answer
+  /// whenever any obstacle moves.
   SPINDRIFT_HD bool is_clear(const Vec3<float>& from, const Vec3<float>& to) const {
     if (body_count > 0)
       return false;
@@ -76,7 +78,8 @@ struct ObstacleView {
     return true;
   }
 
-  /// Velocity of the moving body that pushed a particle to where it is, m/s; 0 if none did.
+  /// The velocity of the moving obstacle that has pushed a particle to `p`, m/s; 0 if none has.
+  /// @param push the displacement by which the particle was pushed, m
   SPINDRIFT_HD Vec3<float> velocity_behind(const Vec3<float>& p, const Vec3<float>& push) const {
     const float length = square_root(dot(push, push));
     for (std::uint32_t k = 0; k < body_count; ++k) {

@@ -1,4 +1,5 @@
-// A body that moves, over one step: where it is at its end, and how it got there.
+// A moving body during one time step: its poses at the start and the end, and collisions of
+// particles with it.
 #pragma once
 
 #include <algorithm>
@@ -13,79 +14,83 @@
 
 namespace spindrift::sim {
 
+/// The point on the surface of a solid nearest to `p`, if `p` is inside; otherwise `p` itself, m.
 SPINDRIFT_HD inline Vec3<float> push_out_of(const Solid& solid, const Vec3<float>& p) {
   return from_glm(solid.push_out(to_glm(p)));
 }
 
-/// x ↦ M x + t.
+/// The affine map x ↦ M x + t.
 struct Affine {
-  Vec3<float> row_x{1, 0, 0}, row_y{0, 1, 0}, row_z{0, 0, 1};  ///< of M
+  Vec3<float> row_x{1, 0, 0}, row_y{0, 1, 0}, row_z{0, 0, 1};  ///< rows of M
   Vec3<float> offset{0, 0, 0};                                 ///< t
 
   SPINDRIFT_HD Vec3<float> operator()(const Vec3<float>& p) const {
     return Vec3<float>{dot(row_x, p), dot(row_y, p), dot(row_z, p)} + offset;
   }
-  /// Where it takes to p, if M is a rotation.
+  /// The inverse image of p. M must be a rotation.
   SPINDRIFT_HD Vec3<float> back(const Vec3<float>& p) const {
     const Vec3<float> d = p - offset;
     return d.x * row_x + d.y * row_y + d.z * row_z;
   }
 };
 
-/// Inner faces of the domain, m; infinitely far away where a face is open.
+/// The inner faces of the domain, m; an open face is infinitely far away.
 struct Inside {
   Vec3<float> min, max;
 
   Inside() = default;
   explicit Inside(const DomainSettings& domain);
 
-  /// The nearest point at least a distance (m) away from every face.
+  /// The point nearest to p that is inside and at least a distance (m) away from every face.
   SPINDRIFT_HD Vec3<float> nudged(const Vec3<float>& p, float distance) const {
     return {std::clamp(p.x, min.x + distance, max.x - distance),
             std::clamp(p.y, min.y + distance, max.y - distance),
             std::clamp(p.z, min.z + distance, max.z - distance)};
   }
 
-  /// How far beyond the farthest of the faces that it is beyond a point is, m; negative inside.
+  /// How far a point is beyond the face that it is farthest beyond, m; negative inside.
   SPINDRIFT_HD float beyond(const Vec3<float>& p) const {
     return std::max({min.x - p.x, min.y - p.y, min.z - p.z, p.x - max.x, p.y - max.y, p.z - max.z});
   }
 };
 
-/// Where bodies are when a way begins: where they are at the start of the step, or at its end.
+/// Where moving bodies are when a particle's path begins: where they are at the start of the step,
+/// or at its end.
 enum class Since { start, end };
 
-/// A body in a step, as plain data.
+/// A moving body in a step, as plain data that loops can capture.
 struct PosedBody {
-  Solid solid;  ///< where the scene puts it
-  Box bounds;   ///< of it, m
+  Solid solid;  ///< where the scene places it
+  Box bounds;   ///< the bounding box of `solid`, m
   Inside domain;
-  Affine start, pose;  ///< to where it is at the start and at the end of the step
-  Affine velocity;     ///< from the shape's points to their mean velocity over it, m/s
+  Affine start, pose;  ///< map points of `solid` to where they are at the step's start and end
+  Affine velocity;     ///< maps points of `solid` to their mean velocity over the step, m/s
   float spacing = 0;   ///< of the particles, m
 
-  /// The point itself, or, for one in the body at its end, one on its surface that is inside the
-  /// domain: the body may lie flush against a wall, or stick out through it. There the nearest
-  /// point of the surface can be in the wall.
+  /// The point itself, or, if it is in the body at the step's end, a point on the body's surface
+  /// that is inside the domain, m. Where the body lies flush against a wall, or sticks out through
+  /// it, the nearest point of the surface can be in the wall, and is then not the one.
   SPINDRIFT_HD Vec3<float> hold(const Vec3<float>& p) const;
 
-  /// The point itself, or where a particle gets that goes there from `from`: it does not pass the
-  /// body, however fast both are and however thin that is. In the body's frame it goes a straight
-  /// way (sim/geometry/entry.hpp).
+  /// Where a particle ends that moves from `from` to `p`, m: it does not pass the body, however
+  /// fast both are and however thin the body is. In the body's frame the particle moves along a
+  /// straight path (sim/geometry/entry.hpp).
   /// @param since where the body is when the particle is at `from`
+  /// @param margin how near to the surface the particle may come, m
   SPINDRIFT_HD Vec3<float> keep_out(const Vec3<float>& from, const Vec3<float>& p, Since since,
                                     float margin) const;
 
-  /// Whether a point, or, for one on a wall, a point just off it, is in the body at its end.
+  /// Whether a point, or a point just off the wall if it is on a wall, is in the body at the step's
+  /// end.
   SPINDRIFT_HD bool holds(const Vec3<float>& p) const {
     return !is_zero(shortest_push(domain.nudged(p, nudge * spacing)));
   }
 
-  /// How deep below the surface a point is, m; 0 outside.
+  /// How deep below the body's surface a point is at the step's end, m; 0 outside.
   SPINDRIFT_HD float depth(const Vec3<float>& p) const;
 
  private:
-  /// Particles this near to a wall, in spacings, count as in a body that lies flush against it.
+  /// Particles this near to a wall, in spacings, count as within a body that lies flush against it.
   static constexpr float nudge = 1e-3f;
 
   SPINDRIFT_HD static bool is_zero(const Vec3<float>& v) {
@@ -97,7 +102,8 @@ struct PosedBody {
            low.z <= box.max.z + margin && high.x >= box.min.x - margin &&
            high.y >= box.min.y - margin && high.z >= box.min.z - margin;
   }
-  /// Moves one coordinate of a point off the wall that it is pushed into, if it is.
+  /// Moves one coordinate of a point by `lift` (m) off the wall that the body pushes it into, if it
+  /// does.
   SPINDRIFT_HD static void lift_off(float push, float out, float low, float high, float lift,
                                     float& coordinate) {
     const float margin = nudge * lift;
@@ -106,8 +112,8 @@ struct PosedBody {
     if (push > 0 && out > high - margin)
       coordinate = high - lift;
   }
-  /// How the body pushes a point out of itself along the shortest way, in the scene's frame; 0
-  /// outside.
+  /// The shortest displacement that takes a point out of the body, in the scene's frame, m; 0 if
+  /// the point is outside.
   SPINDRIFT_HD Vec3<float> shortest_push(const Vec3<float>& p) const {
     const Vec3<float> q = pose.back(p);
     const Vec3<float> out = push_out_of(solid, q);
@@ -123,7 +129,8 @@ SPINDRIFT_HD SPINDRIFT_APART inline Vec3<float> PosedBody::hold(const Vec3<float
   const Vec3<float> shortest = shortest_push(inner);
   if (is_zero(shortest))
     return p;
-  // Where the way out leads into a wall, the particle takes that of a point farther off that wall.
+  // Where the way out leads into a wall, the particle takes the way of a point farther off the
+  // wall.
   for (float lift = spacing; lift > 0.2f * spacing; lift *= 0.5f) {
     Vec3<float> lifted = inner, push = shortest;
     for (int walls = 0; walls <= 3 && !is_zero(push); ++walls) {
@@ -157,8 +164,9 @@ SPINDRIFT_HD inline float PosedBody::depth(const Vec3<float>& p) const {
   return square_root(dot(push, push));
 }
 
-/// As loops look at obstacles that find meshes elsewhere.
-/// @param meshes has `const MeshView* view_of(const MeshBody&)`
+/// The solids of all obstacles for loops that find meshes where `meshes` puts them, such as in a
+/// device's memory.
+/// @param meshes has a member `const MeshView* view_of(const MeshBody&)`
 template <class Meshes>
 std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles, Meshes& meshes) {
   std::vector<Solid> solids;
@@ -166,14 +174,14 @@ std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles, Meshes& mes
     solids.push_back(solid_of(obstacle.shape, meshes));
   return solids;
 }
-/// As loops on the processor look at them.
+/// The solids of all obstacles for loops on the host.
 std::vector<Solid> solids_of(const std::vector<Obstacle>& obstacles);
 
-/// The bodies of all obstacles that move, over a step between two times, s.
-/// @param solids of all obstacles, as loops are to find them
+/// The bodies of all moving obstacles, in the scene's order, over a step between two times, s.
+/// @param solids one for each obstacle of the settings
 std::vector<PosedBody> posed_bodies(const Settings& settings, std::span<const Solid> solids,
                                     double start, double end);
-/// The same for the processor.
+/// The bodies of all moving obstacles for loops on the host; the times are as above.
 std::vector<PosedBody> posed_bodies(const Settings& settings, double start, double end);
 
 }  // namespace spindrift::sim
