@@ -10,25 +10,26 @@
 namespace spindrift::sim {
 namespace {
 
-/// A length that is this near to a whole number of spacings, in spacings, counts as one.
+/// A length that is this near to a whole number of spacings, in spacings, counts as whole.
 constexpr double whole_within = 0.01;
 
-/// How much more it weighs that a lattice's cells hold too much or too little than that they are
-/// deformed; both are logarithms.
+/// The weight, in the choice of a lattice, of the error of a cell's volume against the cell's
+/// deformation; both are squares of logarithms.
 constexpr double weight_of_volume = 10;
 
-/// The largest difference of a particle's share of liquid from spacing³, as a factor.
+/// The largest factor by which the liquid that a particle represents may differ from spacing³.
 constexpr double most_stretch = 1.25;
 
-/// A lattice holds a shape's volume if its particles' shares differ from that by less.
+/// A lattice holds a shape's volume if the relative error of its particles' total is below this.
 constexpr double right_within = 0.01;
 
-/// Numbers of layers that are near a length, in spacings: one or two.
+/// The numbers of layers that may fill a length.
 struct Layers {
-  std::array<int, 2> counts;
-  bool exact;
+  std::array<int, 2> counts;  ///< both the same if there is one candidate only
+  bool exact;                 ///< whether the length is a whole number of spacings
 };
 
+/// @param length in spacings
 Layers layers_near(double length) {
   const double nearest = std::round(length);
   const bool exact = nearest >= 1 && std::abs(length - nearest) <= whole_within;
@@ -38,7 +39,8 @@ Layers layers_near(double length) {
   return {{length < 0.5 ? 0 : std::max(below, 1), length < 0.5 ? 0 : below + 1}, false};
 }
 
-/// @param edge none: any
+/// The lattice whose cells fill a box with least deformation.
+/// @param edge of the cube whose volume a cell is to hold, m; nullopt: any volume will do
 Lattice best_lattice(const Box& box, float spacing, std::optional<float> edge) {
   const glm::dvec3 size = (glm::dvec3(box.max) - glm::dvec3(box.min)) / double{spacing};
   const Layers near[3] = {layers_near(size.x), layers_near(size.y), layers_near(size.z)};
@@ -70,17 +72,18 @@ Lattice best_lattice(const Box& box, float spacing, std::optional<float> edge) {
   return best;
 }
 
+/// Whether a lattice is fitted to all faces of the shape's bounding box.
 bool fills_like_a_box(const Shape& shape) {
   return glm::all(flat_along(shape));
 }
 
-/// Steps of the lattice that fills a shape, m.
+/// The steps of the lattice that fills a shape where any volume of a cell will do, m.
 glm::vec3 steps_in(const Shape& shape, float spacing) {
   return glm::mix(glm::vec3(spacing), lattice_in(bounds_of(shape), spacing).step,
                   flat_along(shape));
 }
 
-/// Calls f(point) for those inside a shape.
+/// Calls f(point) for all points of a lattice that are inside a shape.
 template <class F>
 void for_points_inside(const Shape& shape, const Lattice& lattice, Stop stop, F f) {
   const bool all = std::holds_alternative<Box>(shape);
@@ -96,8 +99,8 @@ void for_points_inside(const Shape& shape, const Lattice& lattice, Stop stop, F 
     }
 }
 
-/// Lattices that could fill a round shape: with a point at its middle, or the middle between two,
-/// along each axis.
+/// The lattices that may fill a round shape: along each axis without flat ends, either a point or
+/// the middle between two points is at the shape's centre.
 std::vector<Lattice> round_lattices(const Shape& shape, float spacing, float edge) {
   const Box bounds = bounds_of(shape);
   const Lattice along = lattice_in(bounds, spacing);
@@ -124,8 +127,8 @@ std::vector<Lattice> round_lattices(const Shape& shape, float spacing, float edg
   return lattices;
 }
 
-/// The first that holds the right volume, or the one that comes nearest to it; one without a point
-/// only where all are.
+/// The first of round_lattices() that holds the shape's volume, or else the one that comes nearest
+/// to it; an empty lattice only if none of them has a point inside.
 Lattice round_lattice(const Shape& shape, float spacing, float edge, Stop stop) {
   const double wanted = volume_of(shape) / std::pow(double{edge}, 3);
   Lattice best;

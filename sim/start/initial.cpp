@@ -20,11 +20,12 @@ namespace spindrift::sim {
 
 namespace {
 
-/// How far from a cell that a body cuts particles are packed, in spacings.
+/// The distance, in spacings, from a cell that a body cuts within which particles are packed.
 constexpr float packed_reach = 3;
 
-/// Even numbers in [0, 1), one for each cell of a lattice, such that every part of it has all of
-/// them (Roberts 2018, the R₃ sequence).
+/// A number in [0, 1) for each cell of a lattice, such that the numbers are spread evenly in every
+/// part of the lattice (Roberts 2018, the R₃ sequence).
+/// @param place the cell's indices
 double even_number(const glm::vec3& place) {
   const glm::dvec3 sum = glm::dvec3(place) * glm::dvec3(0.8191725134, 0.6710436067, 0.5497004779);
   const double one = sum.x + sum.y + sum.z + 0.5;
@@ -35,9 +36,10 @@ bool is_outside(const DomainSettings& domain, const glm::vec3& p) {
   return glm::any(glm::lessThan(p, domain.min)) || glm::any(glm::greaterThan(p, domain.max));
 }
 
+/// Whether particles are made, or only counted.
 enum class Wanted { particles, counts };
 
-/// Fills volumes one after the other.
+/// Fills volumes with particles, one after the other.
 class Filling {
  public:
   Filling(const Settings& settings, Wanted wanted, Stop stop)
@@ -66,7 +68,8 @@ class Filling {
   }
 
  private:
-  /// Of the cells that a body cuts, as many are left as have room together.
+  /// Places the particle of a lattice's cell, or leaves it out: of the cells that a body cuts, as
+  /// many get a particle as the free parts of these cells make up together.
   void place(const glm::vec3& p, const glm::vec3& step, const Shape& shape, FilledVolume& result) {
     if (++looked_at_ % 4096 == 0)
       throw_if_stopped(stop_);
@@ -89,7 +92,8 @@ class Filling {
     initial_.positions.push_back(bodies_.push_out(p));
   }
 
-  /// 1 for every axis along which a lattice goes on, or ends at a wall, on both sides; else 0.
+  /// 1 for each axis along which the lattice goes on, or ends at a wall of the domain, on both
+  /// sides of the point, else 0.
   glm::vec3 axes_held(const glm::vec3& p, const glm::vec3& step, const Shape& shape) const {
     glm::vec3 held(1);
     for (int axis = 0; axis < 3; ++axis)
@@ -102,6 +106,7 @@ class Filling {
     return held;
   }
 
+  /// Spreads the particles near cut cells evenly and notes them as loose.
   void pack_near_cuts() {
     const float reach = packed_reach * edge_;
     const PointCells cuts(cut_, reach);
@@ -128,10 +133,10 @@ class Filling {
   Wanted wanted_;
   Stop stop_;
   StandingBodies bodies_;
-  float edge_;  ///< m
+  float edge_;  ///< particle_spacing(), m
   std::size_t looked_at_ = 0;
   std::vector<glm::vec3> cut_;   ///< centres of the cells that bodies cut, m
-  std::vector<glm::vec3> axes_;  ///< along which particles may be packed: 1, else 0
+  std::vector<glm::vec3> axes_;  ///< axes_held() of each particle; empty without obstacles
   InitialParticles initial_;
 };
 

@@ -1,5 +1,5 @@
-// What a run starts with: the particles that fill a scene's volumes, and the numbers that stay the
-// same.
+// What a run starts with: the particles that fill a scene's volumes, the grid of cells, and the
+// constants of the fluid.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,29 @@
 
 namespace spindrift::sim {
 
-/// The particles that a scene is filled with.
+/// The fluid particles of a scene at the start.
 /// @throws Stopped
 InitialParticles fill_volumes(const Settings& settings, Stop stop = nullptr);
 
-/// What InitialParticles::volumes would be.
+/// What fill_volumes() would return as `volumes`, without computing the particles.
 std::vector<FilledVolume> count_volumes(const Settings& settings);
 
-/// The settings of the particles that a scene is filled with: with their spacing instead of the one
-/// that is asked for; see particle_spacing().
+/// The settings with particle_spacing() in place of the spacing that they ask for.
 Settings as_filled(const Settings& settings);
 
 struct GridMap;
-/// The grid of all places where particles may be. @param cell edge of a cell, m
+/// The grid over all places where particles may be, nozzles and the reach beyond open faces
+/// included.
+/// @param cell edge of a cell, m
 GridMap grid_over(const Settings& settings, float cell);
 
 struct FluidConstants;
+/// The constants of the equations of motion, of which some follow from the spacing.
 FluidConstants constants_of(const FluidSettings& fluid);
 
-/// Ten times the fastest speed that falling through the whole domain can give, m/s.
+/// The speed of sound for basic SPH where the settings give none, m/s: ten times an estimate of the
+/// highest speed, from those of the initial particles, the obstacles and the emitters, a fall
+/// through the whole domain, and surface tension.
 float default_speed_of_sound(const Settings& settings, const InitialParticles& initial);
 
 }  // namespace spindrift::sim

@@ -11,8 +11,8 @@ namespace spindrift::sim {
 namespace {
 
 constexpr int packing_sweeps = 20;
-constexpr float packing_rate = 0.5f;         ///< of d⁴ Σ ∇W, in spacings d
-constexpr float longest_packing_way = 0.1f;  ///< in one sweep, spacings
+constexpr float packing_rate = 0.5f;  ///< displacement in a sweep, spacings d, per d⁴ Σ ∇W
+constexpr float longest_packing_way = 0.1f;  ///< longest displacement in a sweep, spacings d
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void pack(std::vector<glm::vec3>& positions, const std::vector<PackedParticle>& 
           Stop stop) {
   const float radius = 2 * spacing;
   const CubicKernel kernel(radius);
-  // One list of neighbours, a spacing wider than the support, serves all sweeps.
+  // One grid of cells, a spacing wider than the support radius, serves all sweeps.
   const PointCells cells(positions, radius + spacing), wall_cells(walls, radius + spacing);
   const auto count = static_cast<std::int64_t>(moves.size());
   std::vector<glm::vec3> next(moves.size());
@@ -42,7 +42,7 @@ void pack(std::vector<glm::vec3>& positions, const std::vector<PackedParticle>& 
           add(positions[j]);
       });
       wall_cells.for_near(p, [&](std::uint32_t j) { add(walls[j]); });
-      glm::vec3 way = -packing_rate * std::pow(spacing, 4.f) * axes * sum;  // spacings
+      glm::vec3 way = -packing_rate * std::pow(spacing, 4.f) * axes * sum;  // in spacings
       way *= std::min(1.f, longest_packing_way / std::max(glm::length(way), 1e-9f));
       next[static_cast<std::size_t>(m)] = bodies.push_out(p + spacing * way);
     }

@@ -1,4 +1,4 @@
-// Particles spread evenly where a body cuts through their lattice.
+// Spreads particles evenly where a body cuts through their initial lattice.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,18 @@
 
 namespace spindrift::sim {
 
+/// A particle that pack() may move.
 struct PackedParticle {
-  std::uint32_t number;  ///< among the positions
-  glm::vec3 axes;        ///< 1 for those along which it may move, else 0
+  std::uint32_t number;  ///< index into the positions
+  glm::vec3 axes;        ///< 1 for each axis along which it may move, else 0
 };
 
-/// Moves particles to where they are spread evenly among others and solids, as a pressure that is
-/// the same everywhere would (Colagrossi, Bouscasse, Antuono, Marrone 2012): Σ ∇W over all of them
-/// falls. None ends in a body.
-/// @param positions m @param moves those that move
-/// @param walls samples of walls and bodies near them, each as one particle, m
+/// Moves particles so that they are spread evenly among the others and the solids, as a pressure
+/// that is the same everywhere would do (Colagrossi, Bouscasse, Antuono, Marrone 2012): Σ ∇W over
+/// all neighbours decreases. No particle ends in a body.
+/// @param positions of all particles, m
+/// @param moves the particles that may move
+/// @param walls boundary particles of nearby walls and bodies, each counted as one particle, m
 /// @param spacing of the particles, m
 /// @throws Stopped
 void pack(std::vector<glm::vec3>& positions, const std::vector<PackedParticle>& moves,

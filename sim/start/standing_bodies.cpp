@@ -8,12 +8,12 @@
 namespace spindrift::sim {
 namespace {
 
-/// Points along each axis at which a cell is looked at; those of a face between two layers fall
-/// between them.
+/// The sample points of a cell along each axis. A body's face that lies midway between two layers
+/// of particles, or on a layer, falls between sample points.
 constexpr int parts_along = 4;
 constexpr int parts_in_cell = parts_along * parts_along * parts_along;
 
-/// Of obstacles at the start.
+/// A tree of the obstacles' bounding boxes at time 0.
 BoxTree tree_of(const std::vector<Obstacle>& obstacles) {
   std::vector<Box> boxes;
   for (const Obstacle& obstacle : obstacles)
@@ -50,11 +50,13 @@ StandingBodies::Part StandingBodies::part_inside(const glm::vec3& center,
   return part;
 }
 
-/// Of a cell's points those in a body. @param bounds of the body, m @param first, between of the
-/// points, m
+/// The number of a cell's sample points that are in a body.
+/// @param bounds the body's bounding box where it stands, m
+/// @param first the lowest sample point, m
+/// @param between the distances of sample points along each axis, m
 int StandingBodies::count_inside(const Body& body, const Box& bounds, const glm::vec3& first,
                                  const glm::vec3& between) {
-  // Clamped before they are whole numbers: a body may reach further than those do.
+  // Clamped before the conversion to int, since a body may reach farther than an int does.
   const glm::vec3 low = glm::ceil((bounds.min - first) / between),
                   high = glm::floor((bounds.max - first) / between);
   const glm::ivec3 from(glm::clamp(low, 0.f, float{parts_along}));
@@ -78,7 +80,7 @@ glm::vec3 StandingBodies::push_out(glm::vec3 p) const {
     if (out == q)
       continue;
     p = glm::vec3(body.pose(glm::dvec3(out)));
-    places_.find({p, p}, near);  // those after it may hold where it is now
+    places_.find({p, p}, near);  // bodies after this one may contain the new point
     k = static_cast<std::size_t>(std::upper_bound(near.begin(), near.end(), number) - near.begin());
   }
   return p;

@@ -1,4 +1,5 @@
-// Obstacles as they stand at the start, fixed or moving: what liquid is left out of.
+// The obstacles, fixed or moving, where they stand at time 0: the bodies that the initial liquid is
+// kept out of.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,29 +12,36 @@
 
 namespace spindrift::sim {
 
+/// All obstacles of a scene at time 0.
 class StandingBodies {
  public:
+  /// @param settings must outlive this object
   explicit StandingBodies(const Settings& settings);
 
+  /// How much of a lattice's cell is inside bodies.
   struct Part {
-    double inside = 0;     ///< part of the cell that is in a body
-    std::size_t body = 0;  ///< the one that it is in for the most part
+    double inside = 0;     ///< the fraction of the cell that is in bodies, 0 … 1
+    std::size_t body = 0;  ///< index of the body that contains most of it
   };
-  /// How much of a lattice's cell is in bodies. @param center, step of the lattice, m
+  /// @param center of the cell, m
+  /// @param step the cell's edges, m
   Part part_inside(const glm::vec3& center, const glm::vec3& step) const;
 
-  /// The point, or the nearest one on the surface of a body that it is in, m.
+  /// The point itself, or, if it is in a body, the nearest point on the body's surface, m. One that
+  /// is then in another body is pushed out of that, too.
   glm::vec3 push_out(glm::vec3 p) const;
 
-  /// Points half a spacing below the bodies' surfaces, about one per spacing², inside a box, m.
+  /// The positions of the bodies' boundary particles in a box, m: half a spacing (m) below the
+  /// surfaces, about one per spacing².
   std::vector<glm::vec3> samples_in(const Box& box, float spacing) const;
 
  private:
   struct Body {
     const Shape* shape;
-    Solid solid;  ///< where the scene puts it
-    Pose pose;    ///< to where it stands
+    Solid solid;  ///< where the scene places it
+    Pose pose;    ///< from there to where it stands at time 0
 
+    /// The point of `solid` that the pose takes to p, m.
     glm::vec3 back(const glm::vec3& p) const {
       return glm::vec3(glm::transpose(pose.rotation) * (glm::dvec3(p) - pose.translation));
     }
@@ -42,7 +50,7 @@ class StandingBodies {
                           const glm::vec3& between);
 
   std::vector<Body> bodies_;
-  BoxTree places_;  ///< of the bodies' bounds where they stand
+  BoxTree places_;  ///< bounding boxes of the bodies where they stand
 };
 
 }  // namespace spindrift::sim
