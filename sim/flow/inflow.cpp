@@ -10,11 +10,11 @@
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 namespace {
 
-/// A particle is not brought where another's centre is closer than this, in spacings. In the middle
-/// of eight on a lattice it is 0.866.
+/// A particle is not brought in where the centre of another is closer than this, in spacings. A
+/// place in the middle of eight particles of a lattice is 0.866 spacings from each.
 constexpr float least_distance = 0.87f;
 
-/// Times closer than this are the same, s: that at which a step ends and that of an event.
+/// A step's end and an event whose times differ by less than this, s, are at the same time.
 constexpr double instant = 1e-9;
 
 }  // namespace
@@ -37,8 +37,8 @@ std::uint32_t Inflow::next_id(double time) const {
   return static_cast<std::uint32_t>(id);
 }
 
-/// Numbers are given in the order in which layers come in, and at one time in that of the emitters:
-/// they depend on nothing but the time.
+/// Ids are given in the order in which layers come in, and at the same time in the order of the
+/// emitters, so that they depend on nothing but the time.
 Inflow::Layer Inflow::layer(std::uint32_t nozzle, std::int64_t k) const {
   const double time = nozzles_[nozzle].entry_time(k);
   std::int64_t id = first_id_;
@@ -65,10 +65,11 @@ float Inflow::speed_within(double begin, double end) const {
   return speed;
 }
 
-/// A sample in the liquid's way stands for nothing while the nozzle is open; its density ratio is
-/// then below 1 however close the liquid is, and no pressure comes up. One beside it must not take
-/// the liquid in the nozzle, which is behind the wall's face, for liquid that presses on it: it
-/// would push the jet on, by a third of its speed. Nor must it be too much for what comes by.
+/// A boundary particle in the liquid's way has no volume while the nozzle is open; its density
+/// ratio is then below 1 however close the liquid is, so that no pressure builds up. A boundary
+/// particle beside the nozzle must not take the liquid in the nozzle, which is behind the wall's
+/// face, for liquid that presses on it: it would push the jet on, by a third of its speed. Nor must
+/// its volume compress the liquid that passes.
 void Inflow::attach(Walls& walls) {
   constexpr float lowered = 3;
   const float reach = constants_.support_radius;
@@ -105,8 +106,9 @@ void Inflow::attach(Walls& walls) {
   }
 }
 
-/// Nozzles beside each other may share samples: what these stand for depends on how far each is
-/// closed, and not on which was so first.
+/// Nozzles beside each other may share boundary particles. All are therefore reset before any is
+/// lessened, so that the result depends on how far each nozzle is closed, and not on the order in
+/// which the nozzles opened.
 void Inflow::open_walls(Executor& executor, Walls& walls, double start, double end) {
   bool changed = false;
   for (std::size_t n = 0; n < nozzles_.size(); ++n) {
@@ -202,7 +204,8 @@ void Inflow::carry(Executor& executor, Particles& particles, double time) {
   });
 }
 
-/// Free fall from the opening on, to this time and for the velocity to the middle of the last step.
+/// Released particles have been in free fall from the opening on: the position up to this time, the
+/// velocity up to the middle of the last step.
 void Inflow::release(Executor& executor, Particles& particles, double time, double last_step,
                      const Vec3<float>& acceleration) {
   const bool any = std::any_of(held_layers_.begin(), held_layers_.end(), [&](const Layer& l) {
@@ -288,7 +291,7 @@ Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls,
   disturbs_ = false;
   release(executor, particles, time, last_step, acceleration);
   note_held_layers(time);
-  next_id(time);  // there are enough
+  next_id(time);  // throws if the ids run out
   std::vector<Layer> entering;
   for (std::uint32_t n = 0; n < nozzles_.size(); ++n)
     for (const std::int64_t end = nozzles_[n].entered(time + instant); entered_[n] < end;

@@ -11,30 +11,32 @@
 namespace spindrift::sim {
 namespace {
 
+/// Two unit vectors that span the plane of an opening.
 struct Frame2 {
   glm::vec3 across, up;
 };
 
-/// Two directions at right angles to a third and each other.
+/// The frame at right angles to `direction`, with `up` as near to the given vector as can be.
 Frame2 frame_of(const glm::vec3& direction, const glm::vec3& up) {
   const glm::vec3 across = glm::normalize(glm::cross(up, direction));
   return {across, glm::cross(direction, across)};
 }
 
-/// Offsets of a square lattice from a disc's centre, lattice steps, that have a point or four
-/// around it.
+/// Offsets from a disc's centre of a square lattice that has one point or four around it, lattice
+/// steps.
 constexpr std::array<glm::vec2, 2> even_offsets{{{0, 0}, {0.5f, 0.5f}}};
-/// One that has two. A lattice strained by more than a tenth is too dense by itself, so that small
-/// discs need it.
+
+/// The offset of one that has two. Small discs may need it: a lattice that is strained by more than
+/// a tenth to fit the disc is too dense by itself.
 constexpr glm::vec2 uneven_offset{0.5f, 0};
 constexpr double most_strain = 0.08;
 
-/// A square lattice in the disc: as many points as make their distance come nearest to the spacing
-/// when each has the same share of the area.
+/// Fills a disc with a square lattice. The number of points is the one whose distance comes nearest
+/// to the spacing when all have the same share of the area.
 OpeningPoints fill(const Disc& disc, float spacing) {
   struct Place {
-    glm::vec2 at;  ///< lattice steps
-    float squared;
+    glm::vec2 at;   ///< from the centre, lattice steps
+    float squared;  ///< distance from the centre, squared
   };
   const double area = std::numbers::pi * disc.radius * disc.radius;
   const int reach = static_cast<int>(std::ceil(disc.radius / spacing)) + 2;
@@ -75,11 +77,12 @@ OpeningPoints fill(const Disc& disc, float spacing) {
   return filled;
 }
 
+/// Fills a rectangle with a lattice of whole rows and columns.
 OpeningPoints fill(const Rectangle& r, float spacing) {
   const double width = double{r.width} / spacing, height = double{r.height} / spacing;
   int columns = 1, rows = 1;
   double least = INFINITY;
-  // Of the four ways to round, the one that deforms the lattice least.
+  // Of the four ways to round the two numbers, take the one that deforms the lattice least.
   for (const double n : {std::floor(width), std::ceil(width)})
     for (const double m : {std::floor(height), std::ceil(height)}) {
       if (n < 1 || m < 1)
@@ -105,8 +108,8 @@ OpeningPoints fill(const Rectangle& r, float spacing) {
   return filled;
 }
 
-/// The number of k in [0, most) for which `done(k)` holds, that is all below some k; `guess` is
-/// near it.
+/// The number of k in [0, most) for which `done(k)` is true. These are all k below some number, and
+/// `guess` is near that number.
 template <class Done>
 std::int64_t count_done(double guess, std::int64_t most, Done done) {
   auto k = static_cast<std::int64_t>(std::clamp(guess, 0., static_cast<double>(most)));
@@ -139,7 +142,7 @@ glm::vec3 direction_of(const Opening& opening) {
 }
 
 Nozzle::Nozzle(const Emitter& emitter, float spacing)
-    : begin_(std::round(1e6 * double{emitter.from}) / 1e6),  // 0.1 s, not 0.1f
+    : begin_(std::round(1e6 * double{emitter.from}) / 1e6),  // makes 0.1f exactly 0.1 s
       speed_(emitter.speed),
       reach_(0.75f * spacing),
       direction_(direction_of(emitter.opening)),
@@ -181,7 +184,7 @@ glm::vec3 Nozzle::position(std::int64_t k, std::uint32_t point, double time) con
 }
 
 double Nozzle::closed_part(double time) const {
-  constexpr double layers = 10;  // that would come out while it closes
+  constexpr double layers = 10;  // as many would come out while the wall closes
   if (layer_count_ == 0 || time < begin_)
     return 1;
   const double since = (time - release_time(layer_count_)) * speed_ / distance_;

@@ -1,10 +1,11 @@
-// Layers of particles that an emitter pushes out, one after the other, as functions of time: no
-// state, so that a run that is gone on with does the same.
+// The nozzle of an emitter: layers of particles that it pushes out one after the other. All is a
+// function of time and has no state, so that a resumed run does the same as one without a break.
 //
 //   opening
-//      |  · · · · |            a = 0 at the opening, along the emitter's direction. Layer k is at
-//      |  · · · · |  →           a(t) = v (t − from) − (k + ½) b,   b the distance of two layers.
-//   depth         0            It enters at −depth, 4 b, and is released at 0.
+//      |  · · · · |            The coordinate a is along the emitter's direction, 0 at the opening.
+//      |  · · · · |  →         Layer k is at a(t) = v (t − from) − (k + ½) b, with b the distance
+//   depth         0            between layers. It enters the nozzle at a = −depth = −4 b and is
+//                              released at a = 0.
 #pragma once
 
 #include <cstdint>
@@ -18,84 +19,97 @@ namespace spindrift::sim {
 
 struct CubicKernel;
 
-/// The points in an emitter's opening through which particles come, so that each stands for the
-/// same share of its area; m. About a spacing apart: A/N = b², and layers follow each other as the
-/// particle's volume wants it, d³/b².
+/// The points of an emitter's opening through which particles come, each of which represents the
+/// same share of the opening's area.
 struct OpeningPoints {
-  std::vector<glm::vec3> points;
-  float layer_distance = 0;  ///< m
+  std::vector<glm::vec3> points;  ///< m
+  float layer_distance = 0;       ///< between layers that follow each other, m
 };
+/// Distributes N points over an opening of area A, about a spacing d (m) apart: a point's share is
+/// A/N, and the layer distance d³/(A/N) gives each particle the volume d³.
 OpeningPoints fill_opening(const Opening& opening, float spacing);
 
-/// Area of an opening, m².
+/// The area of an opening, m².
 double opening_area(const Opening& opening);
 
-/// Of unit length.
+/// The direction in which liquid leaves an opening, of unit length.
 glm::vec3 direction_of(const Opening& opening);
 
-/// Where a particle in a nozzle is, m.
-/// @param point in the opening @param way from the opening on, m
+/// The position of a particle that a nozzle moves, m.
+/// @param point the particle's point in the opening, m
+/// @param way its distance from the opening along the direction, m; negative in the nozzle
 SPINDRIFT_HD inline glm::vec3 pushed(const glm::vec3& point, const glm::vec3& direction,
                                      double way) {
   return glm::vec3(glm::dvec3(point) + way * glm::dvec3(direction));
 }
 
+/// The layers of one emitter, numbered from 0 in the order in which they come. A layer enters the
+/// nozzle, is carried to the opening, and is released there.
 class Nozzle {
  public:
-  static constexpr int depth = 4;  ///< layers in the nozzle
+  static constexpr int depth = 4;  ///< length of the nozzle, in layers
 
+  /// @param spacing of the particles, m
   Nozzle(const Emitter& emitter, float spacing);
 
+  /// The number of particles in a layer.
   std::uint32_t layer_size() const { return static_cast<std::uint32_t>(points_.size()); }
-  /// Layers in all, from the first to the last.
+  /// The number of layers that the emitter brings in all.
   std::int64_t layer_count() const { return layer_count_; }
 
-  /// When layer k comes into the nozzle and when out of it, s.
+  /// The time at which layer k enters the nozzle, s. The first four layers are in it from the
+  /// beginning of the emitter.
   double entry_time(std::int64_t k) const;
+  /// The time at which layer k leaves the nozzle, s.
   double release_time(std::int64_t k) const;
-  double begin() const { return begin_; }  ///< s
-  /// How many layers are in the nozzle or have been, and how many have left it, at a time.
+  /// The time at which the emitter begins, s.
+  double begin() const { return begin_; }
+  /// The number of layers that have entered the nozzle by a time (s), at that time included.
   std::int64_t entered(double time) const;
+  /// The number of layers that have left the nozzle by a time (s), at that time included.
   std::int64_t released(double time) const;
-  /// How many came in before a time.
+  /// The number of layers that have entered the nozzle before a time, s.
   std::int64_t entered_before(double time) const;
 
-  /// Where a particle of layer k is when nothing but the nozzle moves it, m.
+  /// The position of a particle of layer k when nothing but the nozzle moves it, m.
+  /// @param point the particle's index within the layer
   glm::vec3 position(std::int64_t k, std::uint32_t point, double time) const;
   glm::vec3 velocity() const { return velocity_; }  ///< m/s
-  /// How far layer k has come from the opening, m; negative in the nozzle.
+  /// The distance of layer k from the opening at a time (s), m; negative in the nozzle.
   double way(std::int64_t k, double time) const { return (time - release_time(k)) * speed_; }
-  const std::vector<glm::vec3>& points() const { return points_; }  ///< m
+  /// The points of a layer's particles in the opening, m.
+  const std::vector<glm::vec3>& points() const { return points_; }
   const glm::vec3& direction() const { return direction_; }
   float layer_distance() const { return static_cast<float>(distance_); }  ///< m
 
-  /// How far the nozzle is closed again, as far as there is a wall around it: 0 while liquid is in
-  /// it, and from then on growing up to 1, the faster the liquid was.
+  /// The fraction to which a wall around the nozzle is closed at a time, s: 1 before the emitter
+  /// begins, 0 while liquid is in the nozzle, and from then on growing to 1, the faster the faster
+  /// the liquid was.
   double closed_part(double time) const;
-  /// Whether a wall's sample is in the way of the liquid in the nozzle.
+  /// Whether a boundary particle at p (m) is in the way of the liquid in the nozzle.
   bool is_in_the_way(const glm::vec3& p) const;
-  /// Σ W over the particles in the full nozzle at a point, at the moment when it is largest as
-  /// layers go by; 1/m³.
+  /// Σ W at a point (m) over the particles in the full nozzle, at the moment when it is largest as
+  /// layers go by, 1/m³.
   double kernel_sum(const glm::vec3& p, const CubicKernel& kernel) const;
-  /// The same when the nozzle has just opened.
+  /// Σ W at a point (m) over the particles in the nozzle when it has just opened, 1/m³.
   double kernel_sum_at_begin(const glm::vec3& p, const CubicKernel& kernel) const;
-  /// The middle of the points in the opening, and how far from it they are at most, m.
+  /// The middle of the points in the opening, and their largest distance from it, m.
   std::pair<glm::vec3, float> opening_ball() const;
-  /// Two directions at right angles to the nozzle's and each other.
+  /// Two directions at right angles to the nozzle's and to each other.
   std::pair<glm::vec3, glm::vec3> axes_across() const;
-  /// The fastest speed in the nozzle in the time between, m/s.
+  /// The highest speed in the nozzle between two times (s), m/s.
   float speed_within(double begin, double end) const;
-  /// The box around all particles in the nozzle.
+  /// The bounding box of the nozzle's particles, from the opening to its depth, m.
   Box bounds() const;
 
  private:
   double kernel_sum_with(const glm::vec3& p, const CubicKernel& kernel, double first) const;
 
   double begin_ = 0, speed_ = 0;  ///< s, m/s
-  double distance_ = 0;           ///< of two layers, m
-  float reach_ = 0;               ///< of a particle across the direction, m
+  double distance_ = 0;           ///< between two layers, m
+  float reach_ = 0;               ///< how far a particle reaches across the direction, m
   std::int64_t layer_count_ = 0;
-  std::vector<glm::vec3> points_;  ///< m
+  std::vector<glm::vec3> points_;  ///< in the opening, m
   glm::vec3 direction_{0.f}, velocity_{0.f};
 };
 

@@ -9,24 +9,27 @@
 namespace spindrift::sim {
 namespace {
 
-/// Compression that walls may add to liquid on its way. Were it nothing, samples almost a support
-/// radius away would have to go, on which liquid before the wall counts.
+/// The compression that walls may add to passing liquid, as a density ratio. If it were 0, boundary
+/// particles almost a support radius away would have to go, on which liquid before the wall counts.
 constexpr double accepted = 0.01;
 
-/// Passes over all places, in each of which samples lose what they have too much.
+/// The most passes over all places; in each pass boundary particles lose part of their volume where
+/// they are too much.
 constexpr int most_passes = 100;
 
-/// A sample that counts at a place.
+/// The contribution of a boundary particle to the density ratio at a place.
 struct Share {
   std::uint32_t sample;
-  double value;  ///< V W, all of it
+  double value;  ///< V W with its full volume
 };
 
-/// Where a particle comes by, and what walls may count there.
+/// A place where fluid particles come by, with the boundary particles near it.
 struct Place {
-  double room = 0;
+  double room = 0;  ///< the density ratio that boundary particles may contribute there
   std::vector<Share> shares;
 
+  /// The density ratio that boundary particles contribute if each b keeps the fraction parts[b] of
+  /// its volume.
   double sum(const std::vector<double>& parts) const {
     double sum = 0;
     for (const Share& share : shares)
@@ -35,7 +38,7 @@ struct Place {
   }
 };
 
-/// Density ratio in the middle of a jet without an end, at one of its columns.
+/// The density ratio at one of the columns of a jet that is infinitely long.
 double ratio_in_jet(const Nozzle& nozzle, const glm::vec3& column, float support_radius,
                     double particle_volume) {
   const CubicKernel kernel(support_radius);
@@ -50,7 +53,8 @@ double ratio_in_jet(const Nozzle& nozzle, const glm::vec3& column, float support
   return particle_volume * sum;
 }
 
-/// The places of one column, a quarter of a layer apart, at which any sample counts.
+/// Appends the places along one column, a quarter of a layer distance apart, that any boundary
+/// particle contributes to.
 void add_places(const Nozzle& nozzle, const glm::vec3& column,
                 const std::vector<RimSample>& samples, float support_radius, double particle_volume,
                 std::vector<Place>& places) {

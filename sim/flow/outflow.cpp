@@ -11,6 +11,7 @@ SPINDRIFT_HD bool is_outside(const Vec3<float>& p, const Box& box) {
          p.y > box.max.y || p.z > box.max.z;
 }
 
+/// A reduction: whether any particle goes.
 struct Found {
   bool any = false;
   SPINDRIFT_HD void join(const Found& o) { any = any || o.any; }
@@ -44,8 +45,8 @@ Outflow::Outflow(const Settings& settings, const FluidConstants& constants)
   put(sinks_, sinks);
 }
 
-/// Within the domain contact keeps particles off its walls. Around the edge of an opening there is
-/// no way back.
+/// Only particles beyond an open face are tested against the reach: within the domain contact keeps
+/// particles off the walls. A particle that has gone around the edge of an opening has no way back.
 Exchange Outflow::apply(Executor& executor, Particles& particles, const float* held) {
   const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
   grow(way_, particles.count);

@@ -1,4 +1,4 @@
-// Liquid that sinks take and that leaves through open faces.
+// Removes the particles that sinks take and those that leave through open faces of the domain.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,23 @@
 
 namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 
+/// How a particle goes out: not at all, into a sink, or through an open face.
 enum class WayOut : std::uint8_t { none, drained, left };
 
+/// All sinks and open faces of a run.
 class Outflow {
  public:
   Outflow(const Settings& settings, const FluidConstants& constants);
 
+  /// Whether particles can leave at all.
   bool exists() const { return open_.any || !settings_.sinks.empty(); }
 
-  /// Takes away particles that are in a sink or out of reach beyond an open face, but for those
-  /// with held[i] = 1; `held` may be null.
+  /// Removes the particles that are in a sink, or beyond an open face and outside reach_of().
+  /// @param held 1 for each particle that a nozzle carries, which stays; null if there is none
+  /// @return the numbers and the energy of the removed particles
   Exchange apply(Executor& executor, Particles& particles, const float* held);
 
-  /// Where and how fast a particle is that goes.
+  /// A particle that is being removed.
   struct Going {
     Vec3<float> position, velocity;  ///< m, m/s
     WayOut way;
@@ -34,18 +38,18 @@ class Outflow {
   Settings settings_;
   FluidConstants constants_;
   OpenFaces open_;
-  Box reach_;  ///< what is beyond an open face comes back, or is looked at yet, within this, m
+  Box reach_;  ///< reach_of() the settings, m
   Meshes meshes_;
   Array<Solid> sinks_;
-  Array<WayOut> way_;  ///< of each particle
+  Array<WayOut> way_;  ///< one per particle
   Array<std::uint32_t> chosen_;
   Array<Going> going_;
   ParticleExchange exchange_;
 };
 
-/// How far a particle may be out of the domain without being lost: two spacings beyond an open
-/// face, and ten of the domain's sizes beyond one that gravity pulls it back through, straight out
-/// of the opening.
+/// The box within which particles beyond open faces are kept, since they may come back or are still
+/// to be seen, m. It extends the domain straight out of each open face: by two spacings, or, where
+/// gravity pulls particles back through the face, by ten times the domain's size along that axis.
 Box reach_of(const Settings& settings);
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND
