@@ -32,7 +32,8 @@ that of the positions. "From release": T = 0 is when the water is let go, in the
 is 0.05 s at the experiment's L = 0.146 m.
 
 The goal of 5 % is kept when aligned, with 0.01 % of mean compression allowed, and falls to 3.8 % with the gate that
-Koshizuka and Oka had. From release it is not kept; [the method](method.md) says why that cannot be.
+Koshizuka and Oka had. From release it is not kept;
+[the notebook](notebook.md#the-front-of-a-collapsing-column) says why that cannot be.
 
 | experiment | particles across L | mean compression allowed, % | let go | error from release, % | error aligned, % | shift of T |
 |---|---|---|---|---|---|---|
