@@ -13,9 +13,9 @@ using Lanes = float __attribute__((vector_size(lanes * sizeof(float))));
 
 /// Returns the absolute value of every lane, without a comparison, for which GCC leaves vector code
 /// where there is no AVX.
-inline Lanes absolute(Lanes lanes) {
+inline Lanes absolute(Lanes v) {
   using Bits = std::int32_t __attribute__((vector_size(sizeof(Lanes))));
-  return Lanes(Bits(lanes) & 0x7fffffff);
+  return Lanes(Bits(v) & 0x7fffffff);
 }
 
 }  // namespace spindrift::surface
