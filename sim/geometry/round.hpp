@@ -20,6 +20,15 @@ SPINDRIFT_HD inline glm::vec3 across(const glm::vec3& axis) {
   return glm::normalize(glm::cross(axis, helper));
 }
 
+/// The direction straight away from an axis of unit length, at a point a distance `r` off it, m. On
+/// the axis, where rounding alone would choose it, it is any one across the axis.
+/// @param radial the point's position from the axis, m
+/// @param length of the axis, m
+SPINDRIFT_HD inline glm::vec3 away_from_axis(const glm::vec3& axis, const glm::vec3& radial,
+                                             float r, float length) {
+  return r > 1e-6f * length ? radial / r : across(axis);
+}
+
 /// An orthonormal frame whose second column is `axis`, which has unit length.
 glm::mat3 frame_along(const glm::vec3& axis);
 

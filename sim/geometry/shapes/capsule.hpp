@@ -30,8 +30,7 @@ struct Capsule {
     const float r = glm::length(offset);
     if (r >= radius)
       return p;
-    const glm::vec3 n = r > 0 ? offset / r : across(glm::normalize(axis));
-    return nearest + radius * n;
+    return nearest + radius * away_from_axis(glm::normalize(axis), offset, r, glm::length(axis));
   }
 
   SPINDRIFT_HD Entry entry(const glm::vec3& start, const glm::vec3& way) const {

@@ -36,7 +36,7 @@ struct Cone {
     // The body is convex, so the nearest point lies on the nearest of the three faces' planes.
     const float side = (width - r) * slope.cosine, below = along, above = slope.length - along;
     if (side <= below && side <= above) {
-      const glm::vec3 out = r > 0 ? radial / r : across(axis);
+      const glm::vec3 out = away_from_axis(axis, radial, r, slope.length);
       return p + side * slope.cosine * (out + slope.narrowing * axis);
     }
     return below <= above ? p - below * axis : p + above * axis;

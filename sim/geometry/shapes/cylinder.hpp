@@ -30,8 +30,7 @@ struct Cylinder {
       return p;
     const float side = radius - r, below = along, above = length - along;
     if (side <= below && side <= above) {
-      const glm::vec3 n = r > 0 ? radial / r : across(axis);
-      return from + along * axis + radius * n;
+      return from + along * axis + radius * away_from_axis(axis, radial, r, length);
     }
     return below <= above ? p - below * axis : p + above * axis;
   }
