@@ -99,8 +99,7 @@ void simulate_once(const BenchRun& run, Measurement& m) {
   using Clock = std::chrono::steady_clock;
   const VideoConfig& video = run.scene.video;
   sim::Simulation simulation(run.scene.simulation);
-  m.particles = simulation.particle_count();
-  m.boundary_particles = simulation.boundary_particle_count();
+  m.boundary_particles = simulation.figures().boundary_particles;
   const sim::FrameStatistics start = simulation.advance_to(0);
   double given_energy = start.kinetic_energy + start.potential_energy;
   for (int frame = 1; frame <= video.frame_count(); ++frame) {
@@ -110,8 +109,9 @@ void simulate_once(const BenchRun& run, Measurement& m) {
     if (out_of_time)
       throw std::runtime_error(fmt::format("not done within {:g} s", run.limit_seconds));
     const std::chrono::duration<double> spent = Clock::now() - before;
-    m.particles = std::max(m.particles, simulation.particle_count());
-    m.simulation_bytes = std::max<std::uint64_t>(m.simulation_bytes, simulation.memory_bytes());
+    const sim::RunFigures figures = simulation.figures();
+    m.particles = std::max(m.particles, figures.particles);
+    m.simulation_bytes = std::max<std::uint64_t>(m.simulation_bytes, figures.memory_bytes);
     given_energy += statistics.exchange.energy_in - statistics.exchange.energy_out;
     given_energy += std::max(0., statistics.wall_work);
     if (frame <= run.warm_up_frames)

@@ -115,8 +115,7 @@ Scene scaling_scene(const BenchPlan& plan) {
 }
 
 BenchRun scaling_run(const BenchPlan& plan, const Scene& tile, int particles, int threads) {
-  const double tile_particles =
-      static_cast<double>(sim::fill_volumes(tile.simulation).positions.size());
+  const double tile_particles = static_cast<double>(sim::initial_particle_count(tile.simulation));
   const long count = std::max(1L, std::lround(particles / tile_particles));
   // Small runs are repeated, as their steps take little longer than what disturbs their timing.
   constexpr double enough_particles = 100e3;

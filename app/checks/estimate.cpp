@@ -90,10 +90,7 @@ double count_emitted(const sim::Settings& settings, double time) {
 std::size_t count_particles(const sim::Settings& settings) {
   if (!is_cheap_to_fill(settings))
     return static_cast<std::size_t>(std::min(particles_by_size(settings), most_counted));
-  std::size_t count = 0;
-  for (const sim::FilledVolume& volume : sim::count_volumes(settings))
-    count += volume.placed;
-  return count;
+  return sim::initial_particle_count(settings);
 }
 
 bool is_cheap_to_fill(const sim::Settings& settings) {

@@ -81,10 +81,7 @@ class Warnings {
     const float given = settings_.solver.speed_of_sound;
     if (settings_.solver.type != sim::SolverType::sph || given <= 0)
       return;
-    sim::InitialParticles start;
-    for (const sim::Volume& volume : settings_.fluid.volumes)
-      start.velocities.push_back(volume.velocity);
-    const float enough = sim::default_speed_of_sound(settings_, start);
+    const float enough = sim::default_speed_of_sound(settings_);
     if (given < 0.999f * enough) {
       add("solver.speed_of_sound",
           fmt::format(

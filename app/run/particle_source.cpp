@@ -128,7 +128,7 @@ std::optional<ComingFrame> ParticleSource::simulate(int number) {
   }
   coming.frame = simulation_->take_frame();
   coming.time = time;
-  coming.particle_count = simulation_->particle_count();
+  coming.particle_count = simulation_->figures().particles;
   if (!readings.empty() || !readings_due(number + 1).empty()) {
     sim::Frame frame = coming.frame.get();
     read_probes(frame, due, readings.cend());
@@ -207,9 +207,10 @@ SimulationRecord ParticleSource::record() const {
   if (!simulation_)
     return sum;
   sum.backend = simulation_->backend();
-  sum.boundary_particles = simulation_->boundary_particle_count();
-  sum.bytes = std::max(sum.bytes, simulation_->memory_bytes());
-  sum.add_phases(simulation_->phase_times());
+  const sim::RunFigures figures = simulation_->figures();
+  sum.boundary_particles = figures.boundary_particles;
+  sum.bytes = std::max(sum.bytes, figures.memory_bytes);
+  sum.add_phases(figures.phases);
   return sum;
 }
 

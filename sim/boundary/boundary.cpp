@@ -300,8 +300,8 @@ void Boundary::measure_solids(const Settings& settings, const std::vector<Surfac
 }
 
 std::size_t Boundary::memory_bytes() const {
-  return position_.memory_bytes() + 5 * solid_.memory_bytes() + grid_.memory_bytes() +
-         wall_viscosity_.memory_bytes() + velocity_.memory_bytes();
+  return bytes_of(position_, solid_, pressure_, step_pressure_, compression_, mean_pressure_,
+                  wall_viscosity_, velocity_, grid_);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -55,6 +55,57 @@ SPINDRIFT_HD Vec3<float> friction_force(std::uint32_t b, const DiffusionKernel& 
   return (2 * boundary.wall_viscosity[b] * volume) * sum;
 }
 
+/// Copies what the boundary particles carry from step to step back into the samples; those that are
+/// left out carry nothing.
+/// @param placed for each boundary particle, which of the samples it is
+void keep_pressures(Executor& executor, Boundary& boundary, const std::uint32_t* placed,
+                    Array<Boundary::Sample>& all_samples) {
+  Boundary::Sample* samples = all_samples.data();
+  executor.for_each("move obstacles", static_cast<std::uint32_t>(all_samples.size()),
+                    [=] SPINDRIFT_HD(std::uint32_t i) {
+                      Boundary::Sample& s = samples[i];
+                      s.pressure = s.mean_pressure = s.compression = 0;
+                    });
+  const float *pressure = boundary.pressures().data(),
+              *compression = boundary.compressions().data(),
+              *mean_pressure = boundary.mean_pressures().data();
+  executor.for_each("move obstacles", boundary.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
+    Boundary::Sample& s = samples[placed[k]];
+    s.pressure = pressure[k];
+    s.compression = compression[k];
+    s.mean_pressure = mean_pressure[k];
+  });
+}
+
+/// Lessens the volumes of boundary particles where the layers of two solids meet at an angle.
+/// @param placed for each boundary particle, which of the samples it is
+/// @param owners of the samples
+void share_places(Executor& executor, Boundary& boundary, const GridMap& cells,
+                  const std::uint32_t* placed, const int* owners, const SolidsView& all) {
+  const CellGridView grid = boundary.grid().view();
+  const PointView x = boundary.positions();
+  const GridMap map = cells;
+  const SolidsView solids = all;
+  executor.for_each("move obstacles", boundary.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
+    const Vec3<float> xk = x[k];
+    const int owner = owners[placed[k]];
+    if (!solids.may_meet_another(xk, owner))
+      return;
+    float sharing = 0;
+    for (int row = 0; row < 9; ++row) {
+      const std::uint64_t low = map.row_key(map.key(xk), row);
+      for (std::uint32_t c = grid.first_cell_from(low);
+           c < grid.cell_count && grid.cell_key(c) <= low + 2; ++c)
+        for (std::uint32_t j = grid.cell_begin(c); j < grid.cell_begin(c + 1); ++j) {
+          const Vec3<float> away = x[j] - xk;
+          if (owners[placed[j]] != owner)
+            sharing += std::max(0.f, 1 - square_root(dot(away, away)) / solids.spacing);
+        }
+    }
+    x.value(k) *= 1 / (1 + sharing);
+  });
+}
+
 }  // namespace
 
 MovingBodies::MovingBodies(const Settings& settings, const GridMap& map, Boundary& boundary,
@@ -142,7 +193,7 @@ bool SolidsView::may_meet_another(const Vec3<float>& p, int owner) const {
 }
 
 void MovingBodies::place(Executor& executor, double start, double end) {
-  keep_pressures(executor);
+  keep_pressures(executor, boundary_, placed_.data(), samples_);
   put(bodies_, posed_bodies(settings_, all_solids_, start, end));
   const auto n = static_cast<std::uint32_t>(samples_.size());
   const SolidsView solids{
@@ -175,33 +226,7 @@ void MovingBodies::place(Executor& executor, double start, double end) {
   std::uint32_t* placed = placed_.data();
   executor.for_each("move obstacles", count,
                     [=] SPINDRIFT_HD(std::uint32_t k) { placed[k] = open[order[k]]; });
-  share_places(executor, solids);
-}
-
-void MovingBodies::share_places(Executor& executor, const SolidsView& solids) {
-  const CellGridView grid = boundary_.grid().view();
-  const PointView x = boundary_.positions();
-  const GridMap map = map_;
-  const std::uint32_t* placed = placed_.data();
-  const int* owners = owners_.data();
-  executor.for_each("move obstacles", boundary_.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
-    const Vec3<float> xk = x[k];
-    const int owner = owners[placed[k]];
-    if (!solids.may_meet_another(xk, owner))
-      return;
-    float sharing = 0;
-    for (int row = 0; row < 9; ++row) {
-      const std::uint64_t low = map.row_key(map.key(xk), row);
-      for (std::uint32_t c = grid.first_cell_from(low);
-           c < grid.cell_count && grid.cell_key(c) <= low + 2; ++c)
-        for (std::uint32_t j = grid.cell_begin(c); j < grid.cell_begin(c + 1); ++j) {
-          const Vec3<float> away = x[j] - xk;
-          if (owners[placed[j]] != owner)
-            sharing += std::max(0.f, 1 - square_root(dot(away, away)) / solids.spacing);
-        }
-    }
-    x.value(k) *= 1 / (1 + sharing);
-  });
+  share_places(executor, boundary_, map_, placed, owners, solids);
 }
 
 double MovingBodies::step_within(double distance, double time, double longest) const {
@@ -242,27 +267,8 @@ double MovingBodies::step_within(double distance, double time, double longest) c
   return step;
 }
 
-void MovingBodies::keep_pressures(Executor& executor) {
-  Boundary::Sample* samples = samples_.data();
-  executor.for_each("move obstacles", static_cast<std::uint32_t>(samples_.size()),
-                    [=] SPINDRIFT_HD(std::uint32_t i) {
-                      Boundary::Sample& s = samples[i];
-                      s.pressure = s.mean_pressure = s.compression = 0;
-                    });
-  const std::uint32_t* placed = placed_.data();
-  const float *pressure = boundary_.pressures().data(),
-              *compression = boundary_.compressions().data(),
-              *mean_pressure = boundary_.mean_pressures().data();
-  executor.for_each("move obstacles", boundary_.count(), [=] SPINDRIFT_HD(std::uint32_t k) {
-    Boundary::Sample& s = samples[placed[k]];
-    s.pressure = pressure[k];
-    s.compression = compression[k];
-    s.mean_pressure = mean_pressure[k];
-  });
-}
-
 Copy<float> MovingBodies::pressures(Executor& executor) {
-  keep_pressures(executor);
+  keep_pressures(executor, boundary_, placed_.data(), samples_);
   const Boundary::Sample* samples = samples_.data();
   return executor.copy<float>("take frame", static_cast<std::uint32_t>(samples_.size()),
                               [=] SPINDRIFT_HD(std::uint32_t i) { return samples[i].pressure; });
@@ -274,9 +280,8 @@ void MovingBodies::set_pressures(const std::vector<float>& pressures) {
 }
 
 std::size_t MovingBodies::memory_bytes() const {
-  return (samples_.capacity() + here_.capacity()) * sizeof(Boundary::Sample) +
-         owners_.capacity() * sizeof(int) + covered_.capacity() +
-         (open_.capacity() + placed_.capacity()) * sizeof(std::uint32_t);
+  return bytes_of(all_solids_, fixed_solids_, fixed_bounds_, bodies_, samples_, here_, owners_,
+                  covered_, open_, placed_);
 }
 
 double wall_work(Executor& executor, const FluidConstants& constants, PressureKernel kernel,

@@ -74,14 +74,6 @@ class MovingBodies {
 
   std::size_t memory_bytes() const;
 
-  // The following are parts of other members; they are public since CUDA allows no loops in private
-  // functions.
-
-  /// Copies what the boundary particles carry from step to step back into samples().
-  void keep_pressures(Executor& executor);
-  /// Lessens the volumes of boundary particles where the layers of two solids meet at an angle.
-  void share_places(Executor& executor, const SolidsView& solids);
-
  private:
   static constexpr int fixed = SolidsView::fixed;
   void add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& samples,

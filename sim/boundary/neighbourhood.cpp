@@ -77,8 +77,7 @@ void Neighbourhood::reorder(Executor& executor, Particles& particles) {
 }
 
 std::size_t Neighbourhood::memory_bytes() const {
-  return grid_.memory_bytes() + fluid_.memory_bytes() + boundary_lists_.memory_bytes() +
-         wet_lists_.memory_bytes() + wet_.capacity() * sizeof(std::uint32_t);
+  return bytes_of(grid_, fluid_, boundary_lists_, wet_lists_, wet_);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

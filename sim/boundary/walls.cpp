@@ -12,7 +12,7 @@ namespace spindrift::sim::inline SPINDRIFT_BACKEND {
 Walls::Walls(const Settings& settings, const GridMap& map, float radius, Stop stop)
     : fixed_(without_moving(settings)),
       boundary_(fixed_, map, radius, stop),
-      moving_(any_moves(settings.obstacles)
+      moving_(sim::any_moves(settings.obstacles)
                   ? std::make_unique<MovingBodies>(settings, map, boundary_, meshes_, stop)
                   : nullptr) {
   put(solids_, solids_of(fixed_.obstacles, meshes_));
@@ -55,8 +55,7 @@ void Walls::set_pressures(const std::vector<float>& pressures) {
 }
 
 std::size_t Walls::memory_bytes() const {
-  return boundary_.memory_bytes() + meshes_.memory_bytes() +
-         (moving_ ? moving_->memory_bytes() : 0);
+  return bytes_of(boundary_, meshes_, solids_) + (moving_ ? bytes_of(*moving_) : 0);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

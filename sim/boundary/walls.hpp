@@ -57,7 +57,7 @@ class Walls {
   ContactView contact() const;
 
   /// Whether any obstacle moves.
-  bool move() const { return moving_ != nullptr; }
+  bool any_moves() const { return moving_ != nullptr; }
   /// Places the moving obstacles where they are at the end of a step from `start` to `end`, s.
   void move(Executor& executor, double start, double end);
   /// The longest time step from a time (s) on, at most `longest` (s), in which no point of an

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "sim/core/exchange.hpp"
@@ -27,6 +29,26 @@ struct InitialParticles {
   std::vector<std::uint32_t> loose;  ///< indices of particles moved off their lattice near bodies
 };
 
+struct Frame;
+
+/// What a value of a frame's particles is good for outside of the simulation.
+enum class FieldUse {
+  shown,     ///< it is exported
+  identity,  ///< it is exported where particles come and go
+  internal   ///< it is there to go on from the frame
+};
+
+/// One of the arrays of a frame that have a value per particle.
+template <class T>
+struct FrameField {
+  std::string_view properties;  ///< names of its numbers in files, as "vx vy vz"
+  std::string_view unit;        ///< in letters and digits, as kg/m^3
+  FieldUse use;
+  std::vector<T> Frame::*member;
+};
+template <class T>
+FrameField(std::string_view, std::string_view, FieldUse, std::vector<T> Frame::*) -> FrameField<T>;
+
 /// Particle data at one instant, with one value per particle in the solver's order. With the time
 /// step sizes they are all that a run needs to go on from here to the same bytes.
 struct Frame {
@@ -47,16 +69,25 @@ struct Frame {
   /// Pressures of the boundary particles of walls and obstacles, Pa, not one per fluid particle.
   std::vector<float> boundary_pressures;
 
-  /// Calls f(array) for each array of a frame that has one value per fluid particle, in a fixed
-  /// order.
+  /// All arrays with a value per particle. What is done to all of them is driven by this list.
+  static constexpr auto fields =
+      std::tuple{FrameField{"x y z", "m", FieldUse::shown, &Frame::positions},
+                 FrameField{"vx vy vz", "m/s", FieldUse::shown, &Frame::velocities},
+                 FrameField{"density", "kg/m^3", FieldUse::shown, &Frame::densities},
+                 FrameField{"pressure", "Pa", FieldUse::shown, &Frame::pressures},
+                 FrameField{"multiplier", "Pa", FieldUse::internal, &Frame::multipliers},
+                 FrameField{"id", "", FieldUse::identity, &Frame::ids}};
+
+  /// Calls f(field) for each of them, in their order.
+  template <class F>
+  static void for_each_field(F f) {
+    std::apply([&](const auto&... field) { (f(field), ...); }, fields);
+  }
+
+  /// Calls f(array) for each of them.
   template <class AnyFrame, class F>
   static void for_each_of_particles(AnyFrame& frame, F f) {
-    f(frame.positions);
-    f(frame.velocities);
-    f(frame.densities);
-    f(frame.pressures);
-    f(frame.multipliers);
-    f(frame.ids);
+    for_each_field([&](const auto& field) { f(frame.*field.member); });
   }
 
   double last_time_step = 0;     ///< size of the step that ended here, s; 0 at the start

@@ -4,23 +4,26 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace spindrift::sim {
 
+/// The wall time and the number of calls of a phase.
+struct PhaseTime {
+  std::string name;
+  double seconds = 0;
+  std::int64_t calls = 0;
+};
+
 /// Adds up the wall time and the calls of each phase under its name.
 class PhaseClock {
  public:
-  struct Entry {
-    std::string_view name;
-    double seconds = 0;
-    std::int64_t calls = 0;
-  };
   /// Adds the time between its construction and its destruction to a phase.
   class Scope {
    public:
-    /// @param name the phase, a string that outlives the clock
+    /// @param name the phase, a string that outlives the scope
     Scope(PhaseClock& clock, std::string_view name)
         : clock_(clock), name_(name), start_(std::chrono::steady_clock::now()) {}
     ~Scope() {
@@ -38,17 +41,17 @@ class PhaseClock {
 
   void add(std::string_view name, double seconds) {
     auto entry = std::find_if(entries_.begin(), entries_.end(),
-                              [&](const Entry& e) { return e.name == name; });
+                              [&](const PhaseTime& e) { return e.name == name; });
     if (entry == entries_.end())
-      entry = entries_.insert(entries_.end(), Entry{name});
+      entry = entries_.insert(entries_.end(), PhaseTime{std::string(name)});
     entry->seconds += seconds;
     ++entry->calls;
   }
   /// The phases in the order in which they were first added.
-  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<PhaseTime>& entries() const { return entries_; }
 
  private:
-  std::vector<Entry> entries_;
+  std::vector<PhaseTime> entries_;
 };
 
 }  // namespace spindrift::sim

@@ -17,6 +17,75 @@ constexpr float least_distance = 0.87f;
 /// A step's end and an event whose times differ by less than this, s, are at the same time.
 constexpr double instant = 1e-9;
 
+/// Sets Particles::held to which particles nozzles carry.
+void mark(Executor& executor, Particles& particles, const HeldLayersView& carried) {
+  if (carried.count == 0 && particles.held.empty())
+    return;
+  const std::uint32_t n = particles.count;
+  float* held = particles.held.resized(n);
+  const HeldLayersView layers = carried;
+  const std::uint32_t* ids = particles.ids.data();
+  executor.for_each("carry inflow", n, [=] SPINDRIFT_HD(std::uint32_t i) {
+    held[i] = layers.of(ids[i]) != nullptr ? 1.f : 0.f;
+  });
+}
+
+/// Released particles have been in free fall from the opening on: the position up to this time, the
+/// velocity up to the middle of the last step.
+/// @param carried the layers as they are now @param last_step the duration of the last step, s
+/// @param acceleration of gravity and body forces, m/s²
+void release(Executor& executor, Particles& particles, const HeldLayersView& carried,
+             double last_step, const Vec3<float>& acceleration) {
+  const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
+  const HeldLayersView layers = carried;
+  const std::uint32_t* ids = particles.ids.data();
+  const Vec3<float> a = acceleration;
+  executor.for_each("carry inflow", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    const HeldLayer* l = layers.of(ids[i]);
+    if (l == nullptr || l->fall < 0)
+      return;
+    const double fall = l->fall;
+    x.set(i, x[i] + static_cast<float>(0.5 * fall * fall) * a);
+    v.set(i, v[i] + static_cast<float>(fall - 0.5 * last_step) * a);
+  });
+}
+
+/// Where a search leaves what it finds: indices of particles, and their positions, m.
+struct FoundParticles {
+  Array<std::uint32_t>& indices;
+  Array<Vec3<float>>& positions;
+};
+
+/// Finds the positions (m) of the particles in a box, except those that one nozzle carries.
+std::vector<glm::vec3> in_the_place_of(Executor& executor, Particles& particles,
+                                       const HeldLayersView& carried, std::uint32_t nozzle,
+                                       const Box& box, const FoundParticles& result) {
+  const Vec3Arrays x = particles.position.view();
+  const HeldLayersView layers = carried;
+  const Box place = box;
+  const std::uint32_t* ids = particles.ids.data();
+  const auto is_there = [=] SPINDRIFT_HD(std::uint32_t i) {
+    const Vec3<float> p = x[i];
+    if (p.x < place.min.x || p.y < place.min.y || p.z < place.min.z || p.x > place.max.x ||
+        p.y > place.max.y || p.z > place.max.z)
+      return false;
+    const HeldLayer* own = layers.of(ids[i]);
+    return own == nullptr || own->nozzle != nozzle;
+  };
+  executor.select("bring inflow", particles.count, result.indices, is_there);
+  const auto count = static_cast<std::uint32_t>(result.indices.size());
+  grow(result.positions, count);
+  Vec3<float>* positions = result.positions.data();
+  const std::uint32_t* found = result.indices.data();
+  executor.for_each("bring inflow", count,
+                    [=] SPINDRIFT_HD(std::uint32_t k) { positions[k] = x[found[k]]; });
+  executor.wait();
+  std::vector<glm::vec3> there;
+  for (const Vec3<float>& p : result.positions)
+    there.emplace_back(p.x, p.y, p.z);
+  return there;
+}
+
 }  // namespace
 
 Inflow::Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id)
@@ -146,7 +215,7 @@ void Inflow::resume(Executor& executor, Particles& particles, Walls& walls, doub
   for (std::size_t n = 0; n < nozzles_.size(); ++n)
     entered_[n] = nozzles_[n].entered(time + instant);
   note_held_layers(time);
-  mark(executor, particles);
+  mark(executor, particles, layers());
   open_walls(executor, walls, time, time);
 }
 
@@ -177,18 +246,6 @@ HeldLayersView Inflow::layers_at(double time) {
   return this->layers();
 }
 
-void Inflow::mark(Executor& executor, Particles& particles) {
-  if (held_layers_.empty() && particles.held.empty())
-    return;
-  const std::uint32_t n = particles.count;
-  float* held = particles.held.resized(n);
-  const HeldLayersView layers = this->layers();
-  const std::uint32_t* ids = particles.ids.data();
-  executor.for_each("carry inflow", n, [=] SPINDRIFT_HD(std::uint32_t i) {
-    held[i] = layers.of(ids[i]) != nullptr ? 1.f : 0.f;
-  });
-}
-
 void Inflow::carry(Executor& executor, Particles& particles, double time) {
   if (held_layers_.empty())
     return;
@@ -204,56 +261,6 @@ void Inflow::carry(Executor& executor, Particles& particles, double time) {
   });
 }
 
-/// Released particles have been in free fall from the opening on: the position up to this time, the
-/// velocity up to the middle of the last step.
-void Inflow::release(Executor& executor, Particles& particles, double time, double last_step,
-                     const Vec3<float>& acceleration) {
-  const bool any = std::any_of(held_layers_.begin(), held_layers_.end(), [&](const Layer& l) {
-    return nozzles_[l.nozzle].release_time(l.k) <= time;
-  });
-  if (!any)
-    return;
-  const Vec3Arrays x = particles.position.view(), v = particles.velocity.view();
-  const HeldLayersView layers = layers_at(time);
-  const std::uint32_t* ids = particles.ids.data();
-  const Vec3<float> a = acceleration;
-  executor.for_each("carry inflow", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-    const HeldLayer* l = layers.of(ids[i]);
-    if (l == nullptr || l->fall < 0)
-      return;
-    const double fall = l->fall;
-    x.set(i, x[i] + static_cast<float>(0.5 * fall * fall) * a);
-    v.set(i, v[i] + static_cast<float>(fall - 0.5 * last_step) * a);
-  });
-}
-
-std::vector<glm::vec3> Inflow::in_the_place_of(Executor& executor, Particles& particles,
-                                               std::uint32_t nozzle, const Box& place) {
-  const Vec3Arrays x = particles.position.view();
-  const HeldLayersView layers = this->layers();
-  const std::uint32_t* ids = particles.ids.data();
-  const auto is_there = [=] SPINDRIFT_HD(std::uint32_t i) {
-    const Vec3<float> p = x[i];
-    if (p.x < place.min.x || p.y < place.min.y || p.z < place.min.z || p.x > place.max.x ||
-        p.y > place.max.y || p.z > place.max.z)
-      return false;
-    const HeldLayer* own = layers.of(ids[i]);
-    return own == nullptr || own->nozzle != nozzle;
-  };
-  executor.select("bring inflow", particles.count, found_, is_there);
-  const auto count = static_cast<std::uint32_t>(found_.size());
-  grow(found_positions_, count);
-  Vec3<float>* positions = found_positions_.data();
-  const std::uint32_t* found = found_.data();
-  executor.for_each("bring inflow", count,
-                    [=] SPINDRIFT_HD(std::uint32_t k) { positions[k] = x[found[k]]; });
-  executor.wait();
-  std::vector<glm::vec3> there;
-  for (const Vec3<float>& p : found_positions_)
-    there.emplace_back(p.x, p.y, p.z);
-  return there;
-}
-
 Exchange Inflow::bring(Executor& executor, Particles& particles, const Layer& layer, double time) {
   const Nozzle& nozzle = nozzles_[layer.nozzle];
   std::vector<glm::vec3> places;
@@ -265,7 +272,8 @@ Exchange Inflow::bring(Executor& executor, Particles& particles, const Layer& la
     around.min = glm::min(around.min, p - reach);
     around.max = glm::max(around.max, p + reach);
   }
-  const std::vector<glm::vec3> others = in_the_place_of(executor, particles, layer.nozzle, around);
+  const std::vector<glm::vec3> others = in_the_place_of(executor, particles, layers(), layer.nozzle,
+                                                        around, {found_, found_positions_});
   disturbs_ = disturbs_ || !others.empty();
   std::vector<glm::vec3> positions;
   std::vector<std::uint32_t> ids;
@@ -289,7 +297,11 @@ Exchange Inflow::bring(Executor& executor, Particles& particles, const Layer& la
 Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls, double time,
                          double last_step, const Vec3<float>& acceleration) {
   disturbs_ = false;
-  release(executor, particles, time, last_step, acceleration);
+  const bool lets_go = std::any_of(held_layers_.begin(), held_layers_.end(), [&](const Layer& l) {
+    return nozzles_[l.nozzle].release_time(l.k) <= time;
+  });
+  if (lets_go)
+    release(executor, particles, layers_at(time), last_step, acceleration);
   note_held_layers(time);
   next_id(time);  // throws if the ids run out
   std::vector<Layer> entering;
@@ -300,7 +312,7 @@ Exchange Inflow::advance(Executor& executor, Particles& particles, Walls& walls,
   Exchange exchange;
   for (const Layer& l : entering)
     exchange += bring(executor, particles, l, time);
-  mark(executor, particles);
+  mark(executor, particles, layers());
   open_walls(executor, walls, time, time);
   return exchange;
 }

@@ -41,6 +41,14 @@ struct HeldLayersView {
   }
 };
 
+/// A boundary particle as it is while all nozzles are closed, and what one nozzle takes from it
+/// while that is open.
+struct WallSample {
+  std::uint32_t index;
+  float volume, solid;  ///< Boundary::volume(), m³; Boundary::solids()
+  float part, loss;     ///< the fraction of the volume that it keeps; what is taken off `solid`
+};
+
 /// All emitters of a run.
 class Inflow {
  public:
@@ -81,29 +89,17 @@ class Inflow {
   Exchange advance(Executor& executor, Particles& particles, Walls& walls, double time,
                    double last_step, const Vec3<float>& acceleration);
 
-  // The following are parts of advance(); they are public since CUDA allows no loops in private
-  // functions.
+  std::size_t memory_bytes() const {
+    std::size_t sum = bytes_of(openings_, layers_, found_, found_positions_, exchange_);
+    for (const Array<glm::vec3>& points : points_)
+      sum += bytes_of(points);
+    return sum;
+  }
 
-  /// Lets particles that have left the nozzles fall freely; the parameters are those of advance().
-  void release(Executor& executor, Particles& particles, double time, double last_step,
-               const Vec3<float>& acceleration);
   /// Sets the boundary particles at the nozzles to how far each is closed at the end of a step,
   /// both times in s. A nozzle that begins there opens its wall only when its liquid has come, in
   /// advance().
   void open_walls(Executor& executor, Walls& walls, double start, double end);
-  /// Sets Particles::held to which particles the nozzles carry.
-  void mark(Executor& executor, Particles& particles);
-  /// The positions of the particles in a box, except those that this nozzle carries, m.
-  std::vector<glm::vec3> in_the_place_of(Executor& executor, Particles& particles,
-                                         std::uint32_t nozzle, const Box& place);
-
-  /// A boundary particle as it is while all nozzles are closed, and what one nozzle takes from it
-  /// while that is open.
-  struct WallSample {
-    std::uint32_t index;
-    float volume, solid;  ///< Boundary::volume(), m³; Boundary::solids()
-    float part, loss;     ///< the fraction of the volume that it keeps; what is taken off `solid`
-  };
 
  private:
   struct Layer {
@@ -115,6 +111,7 @@ class Inflow {
   struct Opening {
     Array<WallSample> samples;
     double closed_part = 1;  ///< Nozzle::closed_part() as last applied
+    std::size_t memory_bytes() const { return bytes_of(samples); }
   };
 
   Layer layer(std::uint32_t nozzle, std::int64_t k) const;

@@ -28,6 +28,10 @@ class Outflow {
   /// @return the numbers and the energy of the removed particles
   Exchange apply(Executor& executor, Particles& particles, const float* held);
 
+  std::size_t memory_bytes() const {
+    return bytes_of(meshes_, sinks_, way_, chosen_, going_, exchange_);
+  }
+
   /// A particle that is being removed.
   struct Going {
     Vec3<float> position, velocity;  ///< m, m/s

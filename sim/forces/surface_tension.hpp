@@ -138,9 +138,7 @@ class SurfaceTension : public Force {
   /// A fraction of the period scale √(ρ₀ d³/σ) of the shortest capillary waves, s.
   float time_step_limit() const override { return time_step_limit_; }
 
-  std::size_t memory_bytes() const override {
-    return lack_.memory_bytes() + gradient_.memory_bytes();
-  }
+  std::size_t memory_bytes() const override { return bytes_of(lack_, gradient_); }
 
  private:
   float time_step_limit_;  ///< s

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/conjugate_gradients.hpp"
 #include "sim/core/lattice.hpp"
 #include "sim/step/velocity_change.hpp"
 
@@ -40,35 +41,13 @@ float largest_wall_viscosity(const Settings& settings) {
   return largest;
 }
 
-}  // namespace
-
-std::unique_ptr<Force> make_viscosity(const Settings& settings, const FluidConstants& constants) {
-  const float of_walls = largest_wall_viscosity(settings);
-  if (!(constants.viscosity > 0) && !(of_walls > 0))
-    return nullptr;
-  return std::make_unique<Viscosity>(constants, of_walls);
-}
-
-Viscosity::Viscosity(const FluidConstants& constants, float wall_viscosity)
-    : support_radius_(constants.support_radius),
-      kernel_(constants.spacing, constants.support_radius),
-      explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
-
-bool Viscosity::apply(const StepContext& s) {
-  if (s.time_step <= explicit_limit_)
-    explicit_step(s);
-  else
-    implicit_step(s);
-  return change_velocities(s, "apply viscosity");
-}
-
 /// Computes the velocity changes of an explicit Euler step.
-void Viscosity::explicit_step(const StepContext& s) {
+void explicit_step(const StepContext& s, const DiffusionKernel& weights) {
   Particles& p = s.particles;
   const PointView v = p.drifted_velocity.view();
   const Vec3Arrays dv = p.velocity_change().view();
   const StepView step = s.view();
-  const DiffusionKernel kernel = kernel_;
+  const DiffusionKernel kernel = weights;
   const float dt = s.time_step;
   s.executor.for_each("viscosity", 1, [=] SPINDRIFT_HD(std::uint32_t) {
     v.set(step.count, {0, 0, 0});
@@ -78,23 +57,30 @@ void Viscosity::explicit_step(const StepContext& s) {
   });
 }
 
+/// What the implicit step needs from step to step; empty until it is taken first.
+struct ImplicitFields {
+  VectorField residual, image;  ///< of the conjugate gradients, m/s
+  Kept<ConjugateGradients> iteration;
+};
+
 /// Backward Euler: (1 − Δt ν∇²) v = v*, solved by conjugate gradients for the change v − v*, whose
 /// right side is Δt ν∇² v* (as Weiler et al. 2018 do). The host looks at the iteration only now and
 /// then; loops that are begun after its end do nothing.
-void Viscosity::implicit_step(const StepContext& s) {
+void implicit_step(const StepContext& s, const DiffusionKernel& weights, ImplicitFields& fields) {
   constexpr int most_iterations = 200;
   constexpr double squared_tolerance = 1e-6;
   constexpr std::string_view phase = "viscosity";
   Particles& p = s.particles;
   const std::uint32_t n = p.count;
-  residual_.resize(n);
-  image_.resize(n);
-  const Vec3Arrays dv = p.velocity_change().view(), r = residual_.view(), image = image_.view();
+  fields.residual.resize(n);
+  fields.image.resize(n);
+  const Vec3Arrays dv = p.velocity_change().view(), r = fields.residual.view(),
+                   image = fields.image.view();
   const PointView direction = p.search_direction().view();
-  explicit_step(s);
+  explicit_step(s, weights);
   StepView step = s.view();
   step.boundary.velocity = {};  // the operator acts on velocity changes: walls have none
-  const DiffusionKernel kernel = kernel_;
+  const DiffusionKernel kernel = weights;
   const float dt = s.time_step;
   const auto begin = [=] SPINDRIFT_HD(std::uint32_t i) {
     const Vec3<float> right = dv[i];
@@ -106,12 +92,12 @@ void Viscosity::implicit_step(const StepContext& s) {
   const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
     it = ConjugateGradients::to(squared_tolerance, squared.value);
   };
-  s.executor.reduce_to<Sum>(phase, n, iteration_, begin, set_goal);
+  s.executor.reduce_to<Sum>(phase, n, fields.iteration, begin, set_goal);
   s.executor.for_each(phase, 1, [=] SPINDRIFT_HD(std::uint32_t) { direction.set(n, {0, 0, 0}); });
   for (int k = 0; k < most_iterations; ++k) {
-    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration_.look().goes_on)
+    if (k % Kept<ConjugateGradients>::look_every == 0 && !fields.iteration.look().goes_on)
       return;
-    const auto last = iteration_.view();
+    const auto last = fields.iteration.view();
     const auto apply = [=] SPINDRIFT_HD(std::uint32_t i) {
       if (!last->goes_on)
         return Sum{};
@@ -123,8 +109,8 @@ void Viscosity::implicit_step(const StepContext& s) {
     const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
       it.find_step(curvature.value);
     };
-    s.executor.reduce_to<Sum>(phase, n, iteration_, apply, find_step);
-    const auto found = iteration_.view();
+    s.executor.reduce_to<Sum>(phase, n, fields.iteration, apply, find_step);
+    const auto found = fields.iteration.view();
     const auto go = [=] SPINDRIFT_HD(std::uint32_t i) {
       if (!found->goes_on)
         return Sum{};
@@ -136,13 +122,45 @@ void Viscosity::implicit_step(const StepContext& s) {
     const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
       it.find_beta(squared.value);
     };
-    s.executor.reduce_to<Sum>(phase, n, iteration_, go, find_beta);
-    const auto next = iteration_.view();
+    s.executor.reduce_to<Sum>(phase, n, fields.iteration, go, find_beta);
+    const auto next = fields.iteration.view();
     s.executor.for_each(phase, n, [=] SPINDRIFT_HD(std::uint32_t i) {
       if (next->goes_on)
         direction.set(i, r[i] + next->beta * direction[i]);
     });
   }
+}
+
+class Viscosity final : public Force {
+ public:
+  /// @param wall_viscosity the largest wall viscosity of any wall or obstacle, Pa·s
+  Viscosity(const FluidConstants& constants, float wall_viscosity)
+      : kernel_(constants.spacing, constants.support_radius),
+        explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
+
+  bool apply(const StepContext& s) override {
+    if (s.time_step <= explicit_limit_)
+      explicit_step(s, kernel_);
+    else
+      implicit_step(s, kernel_, fields_);
+    return change_velocities(s, "apply viscosity");
+  }
+
+  std::size_t memory_bytes() const override { return bytes_of(fields_.residual, fields_.image); }
+
+ private:
+  DiffusionKernel kernel_;
+  double explicit_limit_;  ///< largest stable explicit time step, s
+  ImplicitFields fields_;
+};
+
+}  // namespace
+
+std::unique_ptr<Force> make_viscosity(const Settings& settings, const FluidConstants& constants) {
+  const float of_walls = largest_wall_viscosity(settings);
+  if (!(constants.viscosity > 0) && !(of_walls > 0))
+    return nullptr;
+  return std::make_unique<Viscosity>(constants, of_walls);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -22,6 +22,8 @@ class ParticleExchange {
   /// Keeps the particles with the indices `kept`, in that order, and takes all others away.
   void keep(Executor& executor, Particles& particles, const Array<std::uint32_t>& kept);
 
+  std::size_t memory_bytes() const { return bytes_of(new_positions_, new_ids_); }
+
  private:
   Array<glm::vec3> new_positions_;
   Array<std::uint32_t> new_ids_;

@@ -43,7 +43,7 @@ class NumberField {
   void swap(NumberField& other) { values_.swap(other.values_); }
   /// The backend's array, for operations on arrays as a whole.
   Array<T>& array() { return values_; }
-  std::size_t memory_bytes() const { return values_.capacity() * sizeof(T); }
+  std::size_t memory_bytes() const { return bytes_of(values_); }
 
  private:
   Array<T> values_;
@@ -72,7 +72,7 @@ class VectorField {
   glm::vec3 at(std::uint32_t i) const {
     return {components_[0][i], components_[1][i], components_[2][i]};
   }
-  std::size_t memory_bytes() const { return 3 * components_[0].memory_bytes(); }
+  std::size_t memory_bytes() const { return 3 * bytes_of(components_[0]); }
 
  private:
   ScalarField components_[3];
@@ -88,7 +88,7 @@ class PointField {
   float value(std::uint32_t i) const { return rows_[i].value; }
   float& value(std::uint32_t i) { return rows_[i].value; }
   void swap(PointField& other) { rows_.swap(other.rows_); }
-  std::size_t memory_bytes() const { return rows_.capacity() * sizeof(PointRow); }
+  std::size_t memory_bytes() const { return bytes_of(rows_); }
 
  private:
   Array<PointRow> rows_;
@@ -199,9 +199,8 @@ struct Particles {
   }
 
   std::size_t memory_bytes() const {
-    return std::apply(
-        [this](const auto&... field) { return ((this->*field.member).memory_bytes() + ...); },
-        fields);
+    return std::apply([this](const auto&... field) { return bytes_of(this->*field.member...); },
+                      fields);
   }
 };
 

@@ -136,9 +136,7 @@ class AndersonAcceleration {
   /// Makes the present step the last one, after AndersonView::keep() for every unknown.
   void advance() { last_.swap(before_); }
 
-  std::size_t memory_bytes() const {
-    return (last_.capacity() + before_.capacity()) * sizeof(AndersonPoint);
-  }
+  std::size_t memory_bytes() const { return bytes_of(last_, before_); }
 
  private:
   Array<AndersonPoint> last_, before_;

@@ -59,7 +59,136 @@ struct Pairs {
   }
 };
 
+/// Marks the particles that count: 1, else 0.
+void mark_active(const StepContext& s, float delta, float* active) {
+  const PointView at = s.particles.drifted_position.view();
+  const float* ratio = s.particles.density_ratio.data();
+  s.executor.for_each("coarse grid", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
+    active[i] = at.value(i) / delta + ratio[i] > 1 - slack ? 1.f : 0.f;
+  });
+}
+
+/// The number of cells, rounded up to whole batches.
+std::uint32_t rounded_up(std::uint32_t count) {
+  return (count + lane_count - 1) / lane_count * lane_count;
+}
+
+/// Finds the matrix of a system. A conductance is computed once for each pair of cells, by the one
+/// that comes first in key order, and written to both.
+/// @param of_lattice Σ w over a full lattice, the particle itself included, 1/m²
+void find_conductances(const StepContext& s, const Pairs& all_pairs, float of_lattice,
+                       const CoarseSystem& system) {
+  float *conductance = system.conductance, *inverse_diagonal = system.inverse_diagonal;
+  const CellNeighbourView neighbours = system.neighbours;
+  const Pairs pairs = all_pairs;
+  s.executor.for_each("coarse grid", rounded_up(system.count), [=] SPINDRIFT_HD(std::uint32_t c) {
+    for (int t = 0; t < slots; ++t)
+      conductance[CellNeighbourView::place(c, t)] = 0;
+  });
+  s.executor.for_each("coarse grid", system.count, [=] SPINDRIFT_HD(std::uint32_t c) {
+    for (int t = self + 1; t < slots; ++t) {
+      const std::int32_t at = neighbours.at(c, t);
+      if (at < 0)
+        continue;
+      const auto other = static_cast<std::uint32_t>(at);
+      conductance[CellNeighbourView::place(c, t)] =
+          conductance[CellNeighbourView::place(other, slots - 1 - t)] = pairs.between(c, other);
+    }
+  });
+  const float volume = s.constants.volume;
+  s.executor.for_each("coarse grid", system.count, [=] SPINDRIFT_HD(std::uint32_t c) {
+    float around = 0;
+    for (int t = 0; t < slots; ++t)
+      around += conductance[CellNeighbourView::place(c, t)];
+    float particles = 0;
+    for (std::uint32_t i = pairs.grid.cell_begin(c); i < pairs.grid.cell_begin(c + 1); ++i)
+      particles += pairs.active[i];
+    const float inside = pairs.between(c, c);
+    const float full = of_lattice * particles;
+    const float lacking = full - inside - around - pairs.to_walls(c) / volume;
+    // The last term keeps the system of a body of liquid without free surface solvable.
+    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
+    conductance[CellNeighbourView::place(c, self)] = diagonal;
+    inverse_diagonal[c] = diagonal > 0 ? 1 / diagonal : 0.f;
+  });
+}
+
+/// A boundary particle has the pressure of the fluid particle nearest to it, and adds its residual
+/// there.
+void attach_walls(const StepContext& s, std::uint32_t* nearest, std::uint32_t* wet_cell) {
+  const BoundaryView solid = s.boundary;
+  const PointView x = s.particles.drifted_position.view();
+  const CellGridView grid = s.grid;
+  const GridMap map = *s.map;
+  s.executor.for_each("coarse grid", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
+    const std::uint32_t b = solid.wet[k];
+    const Vec3<float> xb = solid.position[b];
+    float best = INFINITY;
+    std::uint32_t found = 0;
+    solid.fluid.for_each(b, [&](std::uint32_t j) {
+      const Vec3<float> d = xb - x[j];
+      if (dot(d, d) < best) {
+        best = dot(d, d);
+        found = j;
+      }
+    });
+    nearest[k] = found;
+    wet_cell[k] = grid.first_cell_from(map.key(x[found]));
+  });
+}
+
 }  // namespace
+
+/// The host looks at the iteration only now and then; loops that are begun
+/// after its end do nothing.
+void solve(Executor& executor, const CoarseSystem& system, Kept<ConjugateGradients>& iteration) {
+  constexpr int most_iterations = 200;
+  constexpr double squared_tolerance = 1e-4;
+  constexpr std::string_view phase = "coarse pressure";
+  const std::uint32_t count = system.count;
+  float *p = system.pressure, *r = system.residual, *d = system.direction, *image = system.image;
+  const float *inverse = system.inverse_diagonal, *weights = system.conductance;
+  const CellNeighbourView neighbours = system.neighbours;
+  const auto begin = [=] SPINDRIFT_HD(std::uint32_t c) {
+    p[c] = d[c] = 0;
+    return Sum{double{r[c]} * r[c] * inverse[c]};
+  };
+  const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+    it = ConjugateGradients::to(squared_tolerance, squared.value);
+  };
+  executor.reduce_to<Sum>(phase, count, iteration, begin, set_goal);
+  for (int k = 0; k < most_iterations; ++k) {
+    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration.look().goes_on)
+      return;
+    const auto last = iteration.view();
+    executor.for_each(phase, count, [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (last->goes_on)
+        d[c] = r[c] * inverse[c] + last->beta * d[c];
+    });
+    const auto apply = [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (!last->goes_on)
+        return Sum{};
+      neighbours.apply(c, weights, d, image);
+      return Sum{double{image[c]} * d[c]};
+    };
+    const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
+      it.find_step(curvature.value);
+    };
+    executor.reduce_to<Sum>(phase, count, iteration, apply, find_step);
+    const auto now = iteration.view();
+    const auto go = [=] SPINDRIFT_HD(std::uint32_t c) {
+      if (!now->goes_on)
+        return Sum{};
+      p[c] += now->step * d[c];
+      r[c] -= now->step * image[c];
+      return Sum{double{r[c]} * r[c] * inverse[c]};
+    };
+    const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
+      it.find_beta(squared.value);
+    };
+    executor.reduce_to<Sum>(phase, count, iteration, go, find_beta);
+  }
+}
 
 CoarsePressure::CoarsePressure(const FluidConstants& constants)
     : kernel_(constants.spacing, constants.support_radius) {
@@ -91,145 +220,21 @@ void CoarsePressure::build(const StepContext& s, float delta) {
            .pressure = pressure_.data(),
            .nearest = nearest_.data(),
            .wet_cell = wet_cell_.data()};
-  find_active(s, delta);
-  find_conductances(s);
-  attach_walls(s);
-}
-
-void CoarsePressure::find_active(const StepContext& s, float delta) {
-  const PointView at = s.particles.drifted_position.view();
-  const float* ratio = s.particles.density_ratio.data();
-  float* active = active_.resized(s.particles.count);
-  s.executor.for_each("coarse grid", s.particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {
-    active[i] = at.value(i) / delta + ratio[i] > 1 - slack ? 1.f : 0.f;
-  });
-}
-
-/// A conductance is computed once for each pair of cells, by the one that comes first in key order,
-/// and written to both.
-void CoarsePressure::find_conductances(const StepContext& s) {
-  const std::uint32_t batches = (count_ + lane_count - 1) / lane_count;
-  grow(conductance_, CellNeighbourView::place(batches * lane_count, 0));
-  float *conductance = conductance_.data(), *inverse_diagonal = inverse_diagonal_.data();
-  const CellNeighbourView neighbours = neighbours_.view();
+  mark_active(s, delta, active_.resized(s.particles.count));
+  grow(conductance_, CellNeighbourView::place(rounded_up(count_), 0));
   const Pairs pairs{kernel_,
                     s.grid,
                     s.particles.drifted_position.view(),
                     active_.data(),
                     s.boundary.neighbours,
                     s.boundary.position};
-  s.executor.for_each("coarse grid", batches * lane_count, [=] SPINDRIFT_HD(std::uint32_t c) {
-    for (int t = 0; t < slots; ++t)
-      conductance[CellNeighbourView::place(c, t)] = 0;
-  });
-  s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
-    for (int t = self + 1; t < slots; ++t) {
-      const std::int32_t at = neighbours.at(c, t);
-      if (at < 0)
-        continue;
-      const auto other = static_cast<std::uint32_t>(at);
-      conductance[CellNeighbourView::place(c, t)] =
-          conductance[CellNeighbourView::place(other, slots - 1 - t)] = pairs.between(c, other);
-    }
-  });
-  const float of_lattice = lattice_conductance_, volume = s.constants.volume;
-  s.executor.for_each("coarse grid", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
-    float around = 0;
-    for (int t = 0; t < slots; ++t)
-      around += conductance[CellNeighbourView::place(c, t)];
-    float particles = 0;
-    for (std::uint32_t i = pairs.grid.cell_begin(c); i < pairs.grid.cell_begin(c + 1); ++i)
-      particles += pairs.active[i];
-    const float inside = pairs.between(c, c);
-    const float full = of_lattice * particles;
-    const float lacking = full - inside - around - pairs.to_walls(c) / volume;
-    // The last term keeps the system of a body of liquid without free surface solvable.
-    const float diagonal = around + std::max(0.f, lacking - disorder * full) + 1e-6f * full;
-    conductance[CellNeighbourView::place(c, self)] = diagonal;
-    inverse_diagonal[c] = diagonal > 0 ? 1 / diagonal : 0.f;
-  });
-}
-
-/// A boundary particle has the pressure of the fluid particle nearest to it, and adds its residual
-/// there.
-void CoarsePressure::attach_walls(const StepContext& s) {
-  const BoundaryView solid = s.boundary;
-  const PointView x = s.particles.drifted_position.view();
-  const CellGridView grid = s.grid;
-  const GridMap map = *s.map;
-  std::uint32_t *nearest = nearest_.data(), *wet_cell = wet_cell_.data();
-  s.executor.for_each("coarse grid", solid.wet_count, [=] SPINDRIFT_HD(std::uint32_t k) {
-    const std::uint32_t b = solid.wet[k];
-    const Vec3<float> xb = solid.position[b];
-    float best = INFINITY;
-    std::uint32_t found = 0;
-    solid.fluid.for_each(b, [&](std::uint32_t j) {
-      const Vec3<float> d = xb - x[j];
-      if (dot(d, d) < best) {
-        best = dot(d, d);
-        found = j;
-      }
-    });
-    nearest[k] = found;
-    wet_cell[k] = grid.first_cell_from(map.key(x[found]));
-  });
-}
-
-/// Solves for pressure_ from residual_, with the diagonal as preconditioner, until a hundredth of
-/// the residual is left. The host looks at the iteration only now and then; loops that are begun
-/// after its end do nothing.
-void CoarsePressure::conjugate_gradients(Executor& executor) {
-  constexpr int most_iterations = 200;
-  constexpr double squared_tolerance = 1e-4;
-  constexpr std::string_view phase = "coarse pressure";
-  float *p = pressure_.data(), *r = residual_.data(), *d = direction_.data(),
-        *image = image_.data();
-  const float *inverse = inverse_diagonal_.data(), *weights = conductance_.data();
-  const CellNeighbourView neighbours = neighbours_.view();
-  const auto begin = [=] SPINDRIFT_HD(std::uint32_t c) {
-    p[c] = d[c] = 0;
-    return Sum{double{r[c]} * r[c] * inverse[c]};
-  };
-  const auto set_goal = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
-    it = ConjugateGradients::to(squared_tolerance, squared.value);
-  };
-  executor.reduce_to<Sum>(phase, count_, iteration_, begin, set_goal);
-  for (int k = 0; k < most_iterations; ++k) {
-    if (k % Kept<ConjugateGradients>::look_every == 0 && !iteration_.look().goes_on)
-      return;
-    const auto last = iteration_.view();
-    executor.for_each(phase, count_, [=] SPINDRIFT_HD(std::uint32_t c) {
-      if (last->goes_on)
-        d[c] = r[c] * inverse[c] + last->beta * d[c];
-    });
-    const auto apply = [=] SPINDRIFT_HD(std::uint32_t c) {
-      if (!last->goes_on)
-        return Sum{};
-      neighbours.apply(c, weights, d, image);
-      return Sum{double{image[c]} * d[c]};
-    };
-    const auto find_step = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& curvature) {
-      it.find_step(curvature.value);
-    };
-    executor.reduce_to<Sum>(phase, count_, iteration_, apply, find_step);
-    const auto now = iteration_.view();
-    const auto go = [=] SPINDRIFT_HD(std::uint32_t c) {
-      if (!now->goes_on)
-        return Sum{};
-      p[c] += now->step * d[c];
-      r[c] -= now->step * image[c];
-      return Sum{double{r[c]} * r[c] * inverse[c]};
-    };
-    const auto find_beta = [=] SPINDRIFT_HD(ConjugateGradients & it, const Sum& squared) {
-      it.find_beta(squared.value);
-    };
-    executor.reduce_to<Sum>(phase, count_, iteration_, go, find_beta);
-  }
+  find_conductances(s, pairs, lattice_conductance_, system());
+  attach_walls(s, nearest_.data(), wet_cell_.data());
 }
 
 std::size_t CoarsePressure::memory_bytes() const {
-  return active_.memory_bytes() + neighbours_.memory_bytes() + conductance_.capacity() * 4 +
-         5 * pressure_.memory_bytes() + (nearest_.capacity() + wet_cell_.capacity()) * 4;
+  return bytes_of(active_, neighbours_, conductance_, nearest_, wet_cell_) +
+         5 * bytes_of(pressure_);
 }
 
 }  // namespace spindrift::sim::inline SPINDRIFT_BACKEND

@@ -79,6 +79,22 @@ struct CoarseView {
   }
 };
 
+/// The linear system of the coarse grid, A p = r, as loops over its cells see it.
+struct CoarseSystem {
+  std::uint32_t count;  ///< number of cells
+  CellNeighbourView neighbours;
+  /// The matrix A, 1/m²: the conductances between each cell and the 26 around it, by slot
+  /// (CellNeighbourView::place); a cell's own slot holds the diagonal.
+  float* conductance;
+  float* inverse_diagonal;  ///< m²
+  float *pressure, *residual;
+  float *direction, *image;  ///< of the conjugate gradients
+};
+
+/// Solves for the pressures by conjugate gradients, with the diagonal as preconditioner, until a
+/// hundredth of the residual is left.
+void solve(Executor& executor, const CoarseSystem& system, Kept<ConjugateGradients>& iteration);
+
 /// The coarse grid's operator and its solver.
 class CoarsePressure {
  public:
@@ -108,17 +124,15 @@ class CoarsePressure {
 
   std::size_t memory_bytes() const;
 
-  // Parts of build() and solve(). They are public since CUDA allows no device lambdas in private
-  // functions.
-  void find_active(const StepContext& s, float delta);
-  void find_conductances(const StepContext& s);
-  void attach_walls(const StepContext& s);
-  void conjugate_gradients(Executor& executor);
-
  private:
   /// Share of the solution that is applied. Pressure outlasts the step in the warm start, so that
   /// with much more the steps swing from one side to the other.
   static constexpr float gain = 0.3f;
+
+  CoarseSystem system() {
+    return {count_,           neighbours_.view(), conductance_.data(), inverse_diagonal_.data(),
+            pressure_.data(), residual_.data(),   direction_.data(),   image_.data()};
+  }
 
   ConductanceKernel kernel_;
   float lattice_conductance_;  ///< Σ w over a full lattice, the particle itself included, 1/m²
@@ -129,9 +143,7 @@ class CoarsePressure {
 
   ScalarField active_;  ///< 1 for each particle that counts, else 0
   CellNeighbours neighbours_;
-  /// Conductances from each cell to the 26 around it, by slot (CellNeighbourView::place), 1/m²; the
-  /// cell's own slot holds the operator's diagonal.
-  Array<float> conductance_;
+  Array<float> conductance_;                                                ///< as in CoarseSystem
   ScalarField inverse_diagonal_, pressure_, residual_, direction_, image_;  ///< one value per cell
   Kept<ConjugateGradients> iteration_;
   Array<std::uint32_t> nearest_, wet_cell_;  ///< as in CoarseView
@@ -170,7 +182,7 @@ void CoarsePressure::solve(const StepContext& s, F error) {
   s.executor.for_each("coarse pressure", count_, [=] SPINDRIFT_HD(std::uint32_t c) {
     residual[c] = std::max(residual[c], -held_up[c]);
   });
-  conjugate_gradients(s.executor);
+  sim::SPINDRIFT_BACKEND::solve(s.executor, system(), iteration_);
   const float scale = gain * aggregate_factor_ / s.map->inverse_cell * s.constants.rest_density /
                       (s.time_step * s.time_step);
   s.executor.for_each("coarse pressure", count_,

@@ -15,9 +15,9 @@ constexpr float tightness = 0.25f;
 
 }  // namespace
 
-Creep::Creep(const InitialParticles& initial, std::uint32_t next_id) {
+Creep::Creep(const std::vector<std::uint32_t>& loose, std::uint32_t next_id) {
   std::vector<std::uint32_t> is_loose(next_id);
-  for (const std::uint32_t number : initial.loose)
+  for (const std::uint32_t number : loose)
     is_loose[number] = 1;
   put(is_loose_, is_loose);
   position_.resize(next_id);

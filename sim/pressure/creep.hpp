@@ -4,7 +4,8 @@
 // they take a number of steps in which they keep no velocity, while all other particles stay.
 #pragma once
 
-#include "sim/core/frame.hpp"
+#include <vector>
+
 #include "sim/core/settings.hpp"
 #include "sim/particles/particles.hpp"
 
@@ -16,9 +17,9 @@ class Creep {
  public:
   static constexpr int steps = 30;  ///< number of steps to take
 
-  /// @param initial the start, with its loose particles
+  /// @param loose the ids of the loose particles
   /// @param next_id a number above the ids of all particles
-  Creep(const InitialParticles& initial, std::uint32_t next_id);
+  Creep(const std::vector<std::uint32_t>& loose, std::uint32_t next_id);
 
   /// The largest time step size, s, in which an acceleration, m/s², moves liquid no more than a
   /// small part of the spacing, m.

@@ -44,9 +44,9 @@ SPINDRIFT_HD inline float easing_pressure(float compression, float pressure, flo
   return eased * delta * std::clamp(std::max(compression, -pressure / delta), -most, most);
 }
 
+/// The solver, with the kernel of the pressure force.
 template <class Kernel>
-class Pcisph : public PcisphSolver {
- public:
+struct Pcisph final : PcisphSolver {
   Pcisph(const SolverSettings& settings, const FluidConstants& constants, const Kernel& kernel)
       : settings_(settings),
         density_kernel_(constants.support_radius),
@@ -134,11 +134,8 @@ class Pcisph : public PcisphSolver {
   float time_step_limit() const override { return settings_.max_time_step; }
 
   std::size_t memory_bytes() const override {
-    return coarse_.memory_bytes() + acceleration_.memory_bytes() + wet_compression_.memory_bytes();
+    return bytes_of(coarse_, acceleration_, wet_compression_);
   }
-
-  // Parts of the algorithm. They are public since CUDA allows no device lambdas in private
-  // functions.
 
   /// The pressure per density ratio δ, Pa, of eq. 8 for a full lattice neighbourhood, in which Σ∇W
   /// is zero, with density as a ratio to ρ₀:
@@ -361,7 +358,6 @@ class Pcisph : public PcisphSolver {
     });
   }
 
- private:
   Demand demand(const StepContext& s) const {
     return {s.particles.count, s.particles.density_ratio.data(), allowance_.excess,
             s.boundary.compression, allowance_.kept};

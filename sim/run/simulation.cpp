@@ -41,21 +41,8 @@ std::future<Frame> Simulation::take_frame() {
   return engine_->take_frame();
 }
 
-std::size_t Simulation::particle_count() const {
-  return engine_->particle_count();
-}
-std::size_t Simulation::boundary_particle_count() const {
-  return engine_->boundary_particle_count();
-}
-std::size_t Simulation::memory_bytes() const {
-  return engine_->memory_bytes();
-}
-
-std::vector<PhaseTime> Simulation::phase_times() const {
-  std::vector<PhaseTime> times;
-  for (const auto& e : engine_->clock().entries())
-    times.push_back({std::string(e.name), e.seconds, e.calls});
-  return times;
+RunFigures Simulation::figures() const {
+  return engine_->figures();
 }
 
 }  // namespace spindrift::sim

@@ -1,27 +1,29 @@
 // The liquid, advanced in time.
 #pragma once
 
-#include <cstdint>
 #include <future>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "sim/core/frame.hpp"
+#include "sim/core/phase_clock.hpp"
 #include "sim/core/settings.hpp"
 #include "sim/core/stop.hpp"
 #include "sim/run/backend_choice.hpp"
 
 namespace spindrift::sim {
 
-struct PhaseTime {
-  std::string name;
-  double seconds = 0;
-  std::int64_t calls = 0;
-};
-
 class Engine;
 
+/// The size of a run, and where its time went.
+struct RunFigures {
+  std::size_t particles = 0;
+  std::size_t boundary_particles = 0;
+  std::size_t memory_bytes = 0;   ///< of all that the run holds, on a GPU of what is there
+  std::vector<PhaseTime> phases;  ///< wall time so far
+};
+
+/// The liquid of a scene, advanced in time on the backend that its settings ask for.
 class Simulation {
  public:
   /// Fills the volumes and samples the walls. @throws std::invalid_argument when nothing can be
@@ -43,10 +45,7 @@ class Simulation {
   std::future<Frame> take_frame();
   Frame frame() { return take_frame().get(); }
   const BackendChoice& backend() const { return backend_; }
-  std::size_t particle_count() const;
-  std::size_t boundary_particle_count() const;
-  std::size_t memory_bytes() const;
-  std::vector<PhaseTime> phase_times() const;
+  RunFigures figures() const;
 
  private:
   BackendChoice backend_;

@@ -156,6 +156,13 @@ std::vector<FilledVolume> count_volumes(const Settings& settings) {
   return filling.counts();
 }
 
+std::size_t initial_particle_count(const Settings& settings) {
+  std::size_t count = 0;
+  for (const FilledVolume& volume : count_volumes(settings))
+    count += volume.placed;
+  return count;
+}
+
 Settings as_filled(const Settings& settings) {
   Settings filled = settings;
   filled.fluid.spacing = particle_spacing(settings);
@@ -185,10 +192,10 @@ FluidConstants constants_of(const FluidSettings& fluid) {
           .contact_angle = fluid.contact_angle};
 }
 
-float default_speed_of_sound(const Settings& settings, const InitialParticles& initial) {
+float default_speed_of_sound(const Settings& settings) {
   float speed = 0;
-  for (const glm::vec3 v : initial.velocities)
-    speed = std::max(speed, glm::length(v));
+  for (const Volume& volume : settings.fluid.volumes)
+    speed = std::max(speed, glm::length(volume.velocity));
   for (const Obstacle& obstacle : settings.obstacles)
     speed = std::max(speed, fastest_speed(obstacle));
   for (const Emitter& emitter : settings.fluid.emitters)

@@ -17,6 +17,9 @@ InitialParticles fill_volumes(const Settings& settings, Stop stop = nullptr);
 /// What fill_volumes() would return as `volumes`, without computing the particles.
 std::vector<FilledVolume> count_volumes(const Settings& settings);
 
+/// The number of particles that fill_volumes() makes.
+std::size_t initial_particle_count(const Settings& settings);
+
 /// The settings with particle_spacing() in place of the spacing that they ask for.
 Settings as_filled(const Settings& settings);
 
@@ -31,8 +34,8 @@ struct FluidConstants;
 FluidConstants constants_of(const FluidSettings& fluid);
 
 /// The speed of sound for basic SPH where the settings give none, m/s: ten times an estimate of the
-/// highest speed, from those of the initial particles, the obstacles and the emitters, a fall
+/// highest speed, from those of the volumes, the obstacles and the emitters, a fall
 /// through the whole domain, and surface tension.
-float default_speed_of_sound(const Settings& settings, const InitialParticles& initial);
+float default_speed_of_sound(const Settings& settings);
 
 }  // namespace spindrift::sim

@@ -53,7 +53,7 @@ double momentum(const Frame& frame) {
 TEST_CASE("drops fall through air as fast as those that were measured") {
   for (const FallingDrop& drop : measured) {
     Simulation simulation(shaft(drop));
-    REQUIRE(simulation.particle_count() == 1);
+    REQUIRE(simulation.figures().particles == 1);
     simulation.advance_to(1);
     const double fall = drop.speed - double{simulation.frame().velocities[0].y};
     CAPTURE(drop.diameter, fall);

@@ -65,7 +65,7 @@ TEST_CASE("an emitter brings its area times its speed, at rest density, for any 
   s.forces.gravity = {0, 0, 0};
   s.solver.max_time_step = static_cast<float>(step);
   Simulation simulation(s);
-  CHECK(simulation.particle_count() == 0);
+  CHECK(simulation.figures().particles == 0);
   const Exchange sum = run(simulation, 0.76, [&](const Frame& frame, const FrameStatistics& f) {
     CHECK(f.mean_compression <= s.solver.mean_compression);
     CHECK(f.max_compression <= s.solver.max_compression);
@@ -90,7 +90,7 @@ TEST_CASE("an emitter brings its area times its speed, at rest density, for any 
       CHECK(density / inner == Approx(1000).epsilon(0.01));
   });
   CHECK(sum.held_back == 0);
-  CHECK(sum.entered == static_cast<std::int64_t>(simulation.particle_count()));
+  CHECK(sum.entered == static_cast<std::int64_t>(simulation.figures().particles));
 }
 
 TEST_CASE("a free jet falls along the parabola") {
@@ -126,7 +126,7 @@ TEST_CASE("a tank fills from its floor by what flows in, and stays as dense as i
                        .to = 0.9f}};
   s.domain = {{0, 0, 0}, {0.24f, 0.5f, 0.24f}};
   Simulation simulation(s);
-  const std::size_t before = simulation.particle_count();
+  const std::size_t before = simulation.figures().particles;
   const Exchange sum = run(simulation, 1.2, [&](const Frame&, const FrameStatistics& f) {
     CHECK(f.mean_compression <= 1.3 * s.solver.mean_compression);
     CHECK(f.max_compression <= 1.3 * s.solver.max_compression);
@@ -134,7 +134,7 @@ TEST_CASE("a tank fills from its floor by what flows in, and stays as dense as i
   CHECK(sum.held_back == 0);
   CHECK(static_cast<double>(sum.entered) * std::pow(d, 3) ==
         Approx(0.08 * 0.08 * 0.4).epsilon(0.02));
-  CHECK(simulation.particle_count() == before + static_cast<std::size_t>(sum.entered));
+  CHECK(simulation.figures().particles == before + static_cast<std::size_t>(sum.entered));
   const double height = 0.12 + 0.08 * 0.08 * 0.4 / (0.24 * 0.24);
   CHECK(surface_height(simulation.frame(), d, s.domain, 0.06f, 0.06f) ==
         Approx(height).margin(2 * d));
@@ -176,7 +176,7 @@ TEST_CASE("what comes in goes out or is there: a sink drains, open faces let out
   CHECK(sum.drained > 100);
   CHECK(sum.left > 100);
   CHECK(sum.entered ==
-        sum.drained + sum.left + static_cast<std::int64_t>(simulation.particle_count()));
+        sum.drained + sum.left + static_cast<std::int64_t>(simulation.figures().particles));
   // Both jets have 2 m/s; one comes in at a height of 0.4 m, the other at 0.6 m.
   const double mass = 1000 * std::pow(double{d}, 3);
   CHECK(energy_in ==
@@ -399,7 +399,7 @@ TEST_CASE("an emitter in a wall that is off leaves the liquid as it is without o
   const FrameStatistics fa = a.advance_to(0.3), fb = b.advance_to(0.3);
   CHECK(fb.potential_energy == Approx(fa.potential_energy).epsilon(0.005));
   CHECK(fb.max_compression < s.solver.max_compression);
-  CHECK(b.particle_count() == a.particle_count());
+  CHECK(b.figures().particles == a.figures().particles);
 }
 
 }  // namespace inflow_tests

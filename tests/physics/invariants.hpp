@@ -51,8 +51,7 @@ class InvariantsWatch {
         mass_(double{settings.fluid.rest_density} *
               double{sim::constants_of(sim::as_filled(settings).fluid).volume}) {
     if (settings.solver.speed_of_sound == 0)
-      settings_.solver.speed_of_sound =
-          sim::default_speed_of_sound(settings, sim::fill_volumes(settings));
+      settings_.solver.speed_of_sound = sim::default_speed_of_sound(settings);
     if (settings.solver.type != sim::SolverType::sph || sim::any_moves(settings.obstacles))
       return;
     const float radius = sim::constants_of(settings.fluid).support_radius;

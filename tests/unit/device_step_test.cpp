@@ -313,8 +313,9 @@ TEST_CASE("a particle of a large liquid takes as much of the device's memory as 
   s.solver.max_time_step = 0.002f;
   const auto engine = make_device_engine(s);
   engine->advance_to(0.006, nullptr);
+  const RunFigures figures = engine->figures();
   const double bytes =
-      static_cast<double>(engine->memory_bytes()) / static_cast<double>(engine->particle_count());
+      static_cast<double>(figures.memory_bytes) / static_cast<double>(figures.particles);
   CAPTURE(bytes);
   CHECK(bytes <= device::bytes_per_particle);
   CHECK(bytes > 0.8 * device::bytes_per_particle);

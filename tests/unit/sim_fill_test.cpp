@@ -125,7 +125,7 @@ TEST_CASE("an obstacle outside the domain has no samples") {
   Settings s = pool(0.05f);
   const Simulation without(s);
   s.obstacles = {{Box{{5, 0, 0}, {5.3f, 0.3f, 0.3f}}}};
-  CHECK(Simulation(s).boundary_particle_count() == without.boundary_particle_count());
+  CHECK(Simulation(s).figures().boundary_particles == without.figures().boundary_particles);
 }
 
 TEST_CASE("a simulation that is no longer wanted ends before it begins") {

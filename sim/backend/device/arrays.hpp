@@ -8,6 +8,7 @@
 
 #include "sim/backend/device/loops.hpp"
 #include "sim/backend/device/memory.hpp"
+#include "sim/core/bytes.hpp"
 #include "sim/core/real.hpp"
 
 namespace spindrift::sim::inline device {
@@ -28,6 +29,8 @@ class Array {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
+  using value_type = T;
+
   Array() = default;
   explicit Array(std::size_t size, const T& value = T{}) { resize(size, value); }
   Array(const Array& other) { assign(other.begin(), other.end()); }

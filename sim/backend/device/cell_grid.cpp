@@ -60,9 +60,8 @@ void CellGrid::forget_order() {
 }
 
 std::size_t CellGrid::memory_bytes() const {
-  return scratch_.memory_bytes() + begins_cell_.capacity() +
-         8 * (keys_.capacity() + other_keys_.capacity() + cell_keys_.capacity()) +
-         4 * (order_.capacity() + other_order_.capacity() + cell_begins_.capacity());
+  return bytes_of(scratch_, begins_cell_, keys_, other_keys_, cell_keys_, order_, other_order_,
+                  cell_begins_);
 }
 
 }  // namespace spindrift::sim::inline device

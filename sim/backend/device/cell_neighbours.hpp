@@ -53,7 +53,7 @@ class CellNeighbours {
   CellNeighbourView view() const {
     return {first_.data(), occupied_.data(), static_cast<std::uint32_t>(occupied_.size())};
   }
-  std::size_t memory_bytes() const { return (first_.capacity() + occupied_.capacity()) * 4; }
+  std::size_t memory_bytes() const { return bytes_of(first_, occupied_); }
 
  private:
   Array<std::uint32_t> first_, occupied_;

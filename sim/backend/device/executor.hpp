@@ -119,9 +119,7 @@ class Executor {
   PhaseClock& clock() { return clock_; }
   const PhaseClock& clock() const { return clock_; }
   std::size_t memory_bytes() const {
-    return scratch_.memory_bytes() + copies_.memory_bytes() + flags_.capacity() +
-           4 * (places_.capacity() + other_places_.capacity() + terms_.capacity() +
-                other_terms_.capacity());
+    return bytes_of(scratch_, copies_, flags_, places_, other_places_, terms_, other_terms_);
   }
 
  private:

@@ -35,8 +35,7 @@ class Meshes {
   std::size_t memory_bytes() const {
     std::size_t sum = 0;
     for (const Copy& c : copies_)
-      sum += c.triangles.capacity() * sizeof(Triangle) + c.nodes.capacity() * sizeof(TriangleNode) +
-             4 * (c.blocks.capacity() + c.values.capacity());
+      sum += bytes_of(c.triangles, c.nodes, c.blocks, c.values, c.view);
     return sum;
   }
 

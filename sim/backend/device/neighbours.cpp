@@ -95,9 +95,7 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Point
 }
 
 std::size_t NeighbourLists::memory_bytes() const {
-  return scratch_.memory_bytes() + 8 * begins_.capacity() +
-         4 * (cell_of_.capacity() + run_begin_.capacity() + run_end_.capacity() +
-              counts_.capacity() + numbers_.capacity());
+  return bytes_of(scratch_, begins_, cell_of_, run_begin_, run_end_, counts_, numbers_);
 }
 
 }  // namespace spindrift::sim::inline device

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/core/bytes.hpp"
+
 #include "sim/core/real.hpp"
 
 namespace spindrift::sim::inline openmp {

@@ -125,8 +125,7 @@ void CellGrid::forget_order() {
 }
 
 std::size_t CellGrid::memory_bytes() const {
-  return cell_keys_.capacity() * 8 +
-         (order_.capacity() + scratch_.capacity() + cell_begin_.capacity()) * 4;
+  return bytes_of(cell_keys_, order_, scratch_, cell_begin_);
 }
 
 }  // namespace spindrift::sim::inline openmp

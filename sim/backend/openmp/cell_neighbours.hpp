@@ -78,7 +78,7 @@ class CellNeighbours {
  public:
   void build(const GridMap& map, const CellGridView& grid);
   CellNeighbourView view() const { return {first_.data(), occupied_.data()}; }
-  std::size_t memory_bytes() const { return (first_.capacity() + occupied_.capacity()) * 4; }
+  std::size_t memory_bytes() const { return bytes_of(first_, occupied_); }
 
  private:
   std::vector<std::uint32_t> first_, occupied_;

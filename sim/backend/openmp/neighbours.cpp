@@ -233,10 +233,11 @@ void NeighbourLists::build(const GridMap& map, const CellGrid& grid, const Point
 }
 
 std::size_t NeighbourLists::memory_bytes() const {
-  std::size_t numbers = place_.capacity() + chunks_.size() * NeighbourView::chunk_size;
+  std::size_t bytes = bytes_of(place_, table_, chunks_) +
+                      chunks_.size() * NeighbourView::chunk_size * sizeof(std::uint32_t);
   for (const auto& list : large_)
-    numbers += list.capacity();
-  return numbers * sizeof(std::uint32_t) + (table_.capacity() + chunks_.capacity()) * sizeof(void*);
+    bytes += bytes_of(list);
+  return bytes;
 }
 
 }  // namespace spindrift::sim::inline openmp
