@@ -8,6 +8,8 @@
 #include <cstring>
 #include <vector>
 
+#include "render/lanes.hpp"
+
 namespace spindrift::compare {
 
 /// Weights of a filter of odd length, the middle one at the pixel itself.
@@ -15,11 +17,7 @@ template <class Real>
 using Taps = std::vector<Real>;
 
 /// The length of every row is padded to a multiple of this number of values.
-inline constexpr int row_multiple = 8;
-
-/// A vector of numbers that are worked on at once, 32 bytes: one register with AVX, two with SSE.
-template <class Real>
-using Lanes __attribute__((vector_size(32))) = Real;
+inline constexpr int row_multiple = lane_count<float>;
 
 /// Returns the width rounded up to a multiple of row_multiple.
 inline int padded_width(int width) {
@@ -52,13 +50,10 @@ class Plane {
 /// taps[k] * at(k)[x]. `count` is rounded up to whole lanes, for which all rows must have room.
 template <class Real, class At>
 void weighted_sum(const Taps<Real>& taps, const At& at, int count, Real* out) {
-  for (int x = 0; x < count; x += int(sizeof(Lanes<Real>) / sizeof(Real))) {
-    Lanes<Real> sum{};
-    for (std::size_t k = 0; k < taps.size(); ++k) {
-      Lanes<Real> lanes;
-      std::memcpy(&lanes, at(static_cast<int>(k)) + x, sizeof lanes);
-      sum += taps[k] * lanes;
-    }
+  for (int x = 0; x < count; x += lane_count<Real>) {
+    LanesOf<Real> sum{};
+    for (std::size_t k = 0; k < taps.size(); ++k)
+      sum += taps[k] * load_lanes(at(static_cast<int>(k)) + x);
     std::memcpy(out + x, &sum, sizeof sum);
   }
 }

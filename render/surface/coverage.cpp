@@ -23,21 +23,15 @@ constexpr float drop_kernel_radius = 1.5f;
 constexpr float lone = 0.12f;
 constexpr float joined = 0.3f;
 
-Lanes load(const float* from) {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-// Returns the sum of kernel_shape at p over the batch, whose size is a multiple of lanes. The lanes
-// are summed in a fixed order.
+// Returns the sum of kernel_shape at p over the batch, whose size is a multiple of lane_count. The
+// lanes are summed in a fixed order.
 // @param inverse_square 1 / (kernel radius)^2
 float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inverse_square) {
   Lanes sum{};
-  for (std::size_t k = 0; k < batch.size(); k += lanes) {
-    const Lanes dx = load(&batch.x[k]) - p.x;
-    const Lanes dy = load(&batch.y[k]) - p.y;
-    const Lanes dz = load(&batch.z[k]) - p.z;
+  for (std::size_t k = 0; k < batch.size(); k += lane_count<float>) {
+    const Lanes dx = load_lanes(&batch.x[k]) - p.x;
+    const Lanes dy = load_lanes(&batch.y[k]) - p.y;
+    const Lanes dz = load_lanes(&batch.z[k]) - p.z;
     sum += kernel_shape(1.0f - (dx * dx + dy * dy + dz * dz) * inverse_square);
   }
   return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
@@ -45,7 +39,7 @@ float sum_of_kernels(const ParticleBatch& batch, const glm::vec3& p, float inver
 
 void pad_to_lanes(ParticleBatch& batch) {
   constexpr float far_away = 1e9f;
-  while (batch.size() % lanes != 0) {
+  while (batch.size() % lane_count<float> != 0) {
     batch.x.push_back(far_away);
     batch.y.push_back(far_away);
     batch.z.push_back(far_away);

@@ -1,7 +1,7 @@
 // Defines the smoothing kernel that particles add to the scalar field of the surface.
 #pragma once
 
-#include "render/surface/lanes.hpp"
+#include "render/lanes.hpp"
 
 namespace spindrift::surface {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "render/surface/lanes.hpp"
+#include "render/lanes.hpp"
 
 namespace spindrift::surface {
 namespace {

@@ -27,7 +27,7 @@ constexpr BlockValues all_one = all_nodes(1.0f);
 // out which of them miss the kernel's ball would take longer.
 void splat(const glm::vec3& position, const ParticleKernel& kernel, float cell_size,
            float cells_per_spacing, BlockValues& values) {
-  static_assert(block_edge == lanes);
+  static_assert(block_edge == lane_count<float>);
   const float scale = 1.0f / kernel.radius;
   const glm::vec3 p = position * scale;
   const float cell = cell_size * scale;
