@@ -7,6 +7,7 @@
 
 #include "app/draw/obstacle_mesh.hpp"
 #include "app/scene/scene.hpp"
+#include "render/gl/renderer.hpp"
 #include "sim/run/simulation.hpp"
 
 namespace spindrift::app {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/gl/renderer.hpp"
+#include "render/gl/look/look.hpp"
 #include "sim/core/settings.hpp"
 
 namespace spindrift::app {

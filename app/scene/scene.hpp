@@ -10,7 +10,7 @@
 #include "app/errors/scene_error.hpp"
 #include "app/scene/camera.hpp"
 #include "render/frame_rate.hpp"
-#include "render/gl/renderer.hpp"
+#include "render/gl/look/look.hpp"
 #include "render/surface/surface.hpp"
 #include "sim/core/settings.hpp"
 #include "sim/run/probes.hpp"

@@ -6,14 +6,14 @@
 #include <array>
 #include <stdexcept>
 
-#include "render/gl/canvas.hpp"
-#include "render/gl/egl_context.hpp"
-#include "render/gl/frame.hpp"
-#include "render/gl/liquid_pass.hpp"
-#include "render/gl/mesh_buffers.hpp"
-#include "render/gl/particle_pass.hpp"
-#include "render/gl/shadow_pass.hpp"
-#include "render/gl/stage_pass.hpp"
+#include "render/gl/egl/egl_context.hpp"
+#include "render/gl/look/frame.hpp"
+#include "render/gl/objects/canvas.hpp"
+#include "render/gl/objects/mesh_buffers.hpp"
+#include "render/gl/passes/liquid_pass.hpp"
+#include "render/gl/passes/particle_pass.hpp"
+#include "render/gl/passes/shadow_pass.hpp"
+#include "render/gl/passes/stage_pass.hpp"
 #include "shaders.hpp"
 
 namespace spindrift::gl {

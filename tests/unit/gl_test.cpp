@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "gl_support.hpp"
-#include "render/gl/egl_devices.hpp"
-#include "render/gl/egl_failure.hpp"
+#include "render/gl/egl/egl_devices.hpp"
+#include "render/gl/egl/egl_failure.hpp"
 
 namespace gl_tests {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "render/gl/gl_objects.hpp"
+#include "render/gl/objects/gl_objects.hpp"
 #include "render/mesh.hpp"
 
 namespace spindrift::gl {

@@ -1,4 +1,4 @@
-#include "render/gl/shadow_pass.hpp"
+#include "render/gl/passes/shadow_pass.hpp"
 
 #include <algorithm>
 #include <array>

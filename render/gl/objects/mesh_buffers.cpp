@@ -1,4 +1,4 @@
-#include "render/gl/mesh_buffers.hpp"
+#include "render/gl/objects/mesh_buffers.hpp"
 
 #include <fmt/format.h>
 

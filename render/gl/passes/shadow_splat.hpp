@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/gl/frame.hpp"
+#include "render/gl/look/frame.hpp"
 #include "render/mesh.hpp"
 
 namespace spindrift::gl {

@@ -1,7 +1,7 @@
 // Computes the uniforms that every shader sees (the block `Frame` of shaders/common.glsl).
 #pragma once
 
-#include "render/gl/renderer.hpp"
+#include "render/gl/look/look.hpp"
 
 namespace spindrift::gl {
 

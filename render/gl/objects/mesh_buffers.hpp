@@ -1,8 +1,9 @@
 // Holds the geometry that is drawn, triangle meshes and particle clouds, in OpenGL's buffers.
 #pragma once
 
-#include "render/gl/gl_objects.hpp"
-#include "render/gl/renderer.hpp"
+#include "render/gl/look/look.hpp"
+#include "render/gl/objects/gl_objects.hpp"
+#include "render/mesh.hpp"
 
 namespace spindrift::gl {
 

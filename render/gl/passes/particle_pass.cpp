@@ -1,4 +1,4 @@
-#include "render/gl/particle_pass.hpp"
+#include "render/gl/passes/particle_pass.hpp"
 
 #include "shaders.hpp"
 

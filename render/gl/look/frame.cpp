@@ -1,4 +1,4 @@
-#include "render/gl/frame.hpp"
+#include "render/gl/look/frame.hpp"
 
 #include <algorithm>
 #include <cmath>

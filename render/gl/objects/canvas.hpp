@@ -2,7 +2,7 @@
 // buffers.
 #pragma once
 
-#include "render/gl/gl_objects.hpp"
+#include "render/gl/objects/gl_objects.hpp"
 #include "render/image.hpp"
 
 namespace spindrift::gl {

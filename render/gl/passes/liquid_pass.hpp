@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "render/gl/canvas.hpp"
-#include "render/gl/mesh_buffers.hpp"
-#include "render/gl/tiles.hpp"
+#include "render/gl/objects/canvas.hpp"
+#include "render/gl/objects/mesh_buffers.hpp"
+#include "render/gl/objects/tiles.hpp"
 
 namespace spindrift::gl {
 

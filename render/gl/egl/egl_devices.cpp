@@ -1,4 +1,4 @@
-#include "render/gl/egl_devices.hpp"
+#include "render/gl/egl/egl_devices.hpp"
 
 #include <fmt/format.h>
 

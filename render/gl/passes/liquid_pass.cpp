@@ -1,4 +1,4 @@
-#include "render/gl/liquid_pass.hpp"
+#include "render/gl/passes/liquid_pass.hpp"
 
 #include <array>
 

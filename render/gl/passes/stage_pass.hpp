@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "render/gl/canvas.hpp"
-#include "render/gl/frame.hpp"
+#include "render/gl/look/frame.hpp"
+#include "render/gl/objects/canvas.hpp"
 
 namespace spindrift::gl {
 

@@ -1,4 +1,4 @@
-#include "render/gl/gl_objects.hpp"
+#include "render/gl/objects/gl_objects.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "render/gl/frame.hpp"
-#include "render/gl/mesh_buffers.hpp"
-#include "render/gl/shadow_splat.hpp"
+#include "render/gl/look/frame.hpp"
+#include "render/gl/objects/mesh_buffers.hpp"
+#include "render/gl/passes/shadow_splat.hpp"
 
 namespace spindrift::gl {
 

@@ -1,4 +1,4 @@
-#include "render/gl/egl_context.hpp"
+#include "render/gl/egl/egl_context.hpp"
 
 #include <EGL/eglext.h>
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "render/gl/egl_devices.hpp"
-#include "render/gl/egl_failure.hpp"
+#include "render/gl/egl/egl_devices.hpp"
+#include "render/gl/egl/egl_failure.hpp"
 #include "render/shortage.hpp"
 
 namespace spindrift::gl {

@@ -1,4 +1,4 @@
-#include "render/gl/shadow_splat.hpp"
+#include "render/gl/passes/shadow_splat.hpp"
 
 #include <algorithm>
 

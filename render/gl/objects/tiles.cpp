@@ -1,18 +1,18 @@
-#include "render/gl/tiles.hpp"
+#include "render/gl/objects/tiles.hpp"
 
 #include <algorithm>
 
 namespace spindrift::gl {
 
 namespace {
-constexpr int side = 16;  // of a tile, pixels
+constexpr int tile_size = 16;  // of a tile, pixels
 }  // namespace
 
 Tiles::Tiles(int width, int height)
     : width_(width),
       height_(height),
-      columns_((width + side - 1) / side),
-      rows_((height + side - 1) / side),
+      columns_((width + tile_size - 1) / tile_size),
+      rows_((height + tile_size - 1) / tile_size),
       touched_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
   glVertexArrayVertexBuffer(array_, 0, buffer_, 0, sizeof(glm::vec2));
   glVertexArrayAttribFormat(array_, 0, 2, GL_FLOAT, GL_FALSE, 0);
@@ -25,7 +25,7 @@ void Tiles::clear() {
 }
 
 void Tiles::add(const Mesh& mesh, const glm::mat4& world_to_clip) {
-  const glm::vec2 half = 0.5f / static_cast<float>(side) * glm::vec2(width_, height_);
+  const glm::vec2 half = 0.5f / static_cast<float>(tile_size) * glm::vec2(width_, height_);
   const glm::vec2 limit(columns_, rows_);
   bool before_eye = true;
   places_.resize(mesh.vertices.size());
@@ -52,7 +52,7 @@ void Tiles::add(const Mesh& mesh, const glm::mat4& world_to_clip) {
 
 void Tiles::draw() {
   corners_.clear();
-  const glm::vec2 scale = 2.f * static_cast<float>(side) / glm::vec2(width_, height_);
+  const glm::vec2 scale = 2.f * static_cast<float>(tile_size) / glm::vec2(width_, height_);
   for (int y = 0; y < rows_; ++y) {
     const auto row = touched_.begin() + y * columns_, end = row + columns_;
     for (auto from = std::find(row, end, 1); from != end;) {

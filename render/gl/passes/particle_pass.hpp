@@ -1,7 +1,7 @@
 // Draws particles as lit spheres.
 #pragma once
 
-#include "render/gl/mesh_buffers.hpp"
+#include "render/gl/objects/mesh_buffers.hpp"
 
 namespace spindrift::gl {
 

@@ -1,4 +1,4 @@
-#include "render/gl/canvas.hpp"
+#include "render/gl/objects/canvas.hpp"
 
 #include <fmt/format.h>
 

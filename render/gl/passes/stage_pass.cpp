@@ -1,4 +1,4 @@
-#include "render/gl/stage_pass.hpp"
+#include "render/gl/passes/stage_pass.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "render/gl/egl_failure.hpp"
+#include "render/gl/egl/egl_failure.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
