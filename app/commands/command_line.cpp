@@ -53,17 +53,24 @@ void add_scene_options(CLI::App& command, Typed& typed) {
   add_common_options(command, typed);
 }
 
-void add_run_options(CLI::App& command, Typed& typed, const std::vector<std::string>& exports) {
+/// @param draws whether the command makes the liquid's surface, so that it can be exported
+void add_run_options(CLI::App& command, Typed& typed, bool draws) {
+  std::vector<std::string> names, shown;
+  for (const ExportFormat& format : export_formats())
+    if (draws || !format.of_surface) {
+      names.emplace_back(format.name);
+      shown.push_back(fmt::format("{} ({})", format.name, format.about));
+    }
   command.add_option("-o,--out", typed.output, "Folder for the results; out/<scene> if left out")
       ->type_name("DIR");
   command
       .add_option("--export", typed.exports,
-                  fmt::format("Also write PLY files: {}", fmt::join(exports, ",")))
+                  fmt::format("Also leave of each frame: {}", fmt::join(shown, ", ")))
       ->type_name("WHAT")
       ->delimiter(',')
       ->expected(1)
       ->take_all()
-      ->check(CLI::IsMember(exports));
+      ->check(CLI::IsMember(names));
   command.add_flag("--no-cache", typed.no_cache, "Simulate anew and keep no particles");
   command.add_flag("--force", typed.force,
                    "Also where another scene's results are replaced, or it may not fit");
@@ -126,9 +133,6 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
   const Scene scene = typed_scene(typed);
   if (const std::string refused = sim::why_refused(scene.simulation); !refused.empty())
     throw UsageError(refused);
-  const auto exports = [&](std::string_view what) {
-    return std::find(typed.exports.begin(), typed.exports.end(), what) != typed.exports.end();
-  };
   RenderOptions options;
   options.output = typed.output.empty() ? std::filesystem::path("out") / scene.name
                                         : std::filesystem::path(typed.output);
@@ -146,8 +150,7 @@ int run_typed_render(const Typed& typed, bool simulate_only, const std::string& 
     }
     options.from_particles = typed.from_particles;
   }
-  options.export_meshes = exports("meshes");
-  options.export_particles = exports("particles");
+  options.exports = exports_of(typed.exports);
   options.cache = !typed.no_cache;
   options.simulate_only = simulate_only;
   options.threads = typed.threads;
@@ -209,7 +212,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
   Typed typed;
   CLI::App* render = app.add_subcommand("render", "Simulate a scene and make its video");
   add_scene_options(*render, typed);
-  add_run_options(*render, typed, {"meshes", "particles"});
+  add_run_options(*render, typed, true);
   render->add_option("--frames", typed.frames, "Only these frames, from 0, both ends included")
       ->type_name("FIRST:LAST");
   render
@@ -220,7 +223,7 @@ int run_parsed(CLI::App& app, int argc, const char* const* argv) {
 
   CLI::App* simulate = app.add_subcommand("simulate", "Simulate a scene and keep its particles");
   add_scene_options(*simulate, typed);
-  add_run_options(*simulate, typed, {"particles"});
+  add_run_options(*simulate, typed, false);
 
   CLI::App* check = app.add_subcommand("check", "Check a scene; print it resolved, and its cost");
   add_scene_options(*check, typed);

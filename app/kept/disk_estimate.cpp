@@ -11,12 +11,9 @@ namespace fs = std::filesystem;
 
 constexpr double bytes_per_kept_particle = 40;  // position, velocity and four further numbers
 constexpr double bytes_per_kept_boundary_particle = 4;
-constexpr double bytes_per_exported_particle = 36;
 // Measured on pictures of the shipped scenes: 0.3 at 1280x720 pixels, 0.3 to 0.75 at 480x270.
 constexpr double png_bytes_per_pixel = 0.5;
 constexpr double video_bytes_per_pixel = 0.013;  // at quality 18; adding 6 to the quality halves it
-// Bytes of the surface's vertices and triangles for each particle in the liquid's outermost layer.
-constexpr double mesh_bytes_per_surface_particle = 250;
 
 }  // namespace
 
@@ -36,10 +33,8 @@ DiskEstimate disk_estimate(const Scene& scene, const RenderOptions& options, con
     result.pictures = pixels * png_bytes_per_pixel;
     result.video = pixels * video_bytes_per_pixel * std::exp2((18 - video.quality) / 6.);
   }
-  if (options.export_particles)
-    result.exports += drawn * particles * bytes_per_exported_particle;
-  if (options.export_meshes)
-    result.exports += drawn * 6 * std::pow(particles, 2. / 3) * mesh_bytes_per_surface_particle;
+  for (const ExportFormat* format : options.exports)
+    result.exports += drawn * format->bytes(particles);
   return result;
 }
 
@@ -56,9 +51,9 @@ std::uint64_t folder_bytes(const fs::path& folder) {
 
 std::uint64_t bytes_there(const Scene& scene, const RenderOptions& options) {
   const fs::path& folder = options.output;
-  std::uint64_t sum = 0;
-  for (const char* name : {"frames", "meshes", "particles_ply"})
-    sum += folder_bytes(folder / name);
+  std::uint64_t sum = folder_bytes(folder / "frames");
+  for (const ExportFormat& format : export_formats())
+    sum += folder_bytes(folder / format.folder);
   return options.cache ? sum + folder_bytes(folder / "particles" / simulation_hash(scene)) : sum;
 }
 

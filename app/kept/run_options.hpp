@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "app/exports/export_format.hpp"
+
 namespace spindrift::app {
 
 /// A range of frame numbers, which count from 0. Both ends are included.
@@ -25,8 +27,7 @@ struct RenderOptions {
   std::string scene_file;                               ///< absolute path; empty where unknown
   std::optional<FrameRange> frames;                     ///< frames to draw; none: all
   std::optional<std::filesystem::path> from_particles;  ///< folder of exported particles to draw
-  bool export_meshes = false;
-  bool export_particles = false;
+  Exports exports;             ///< what is left of each frame besides its picture
   bool replace = false;        ///< replace results even of another scene
   bool force = false;          ///< run even if memory or disk space may not be enough
   bool cache = true;           ///< write the particle cache, and use what is in it

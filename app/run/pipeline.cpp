@@ -7,7 +7,6 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
-#include <numeric>
 #include <thread>
 #include <utility>
 
@@ -61,32 +60,11 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Values in the given order.
-template <class T>
-std::vector<T> ordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> result(values.size());
-  for (std::size_t k = 0; k < values.size(); ++k)
-    result[k] = values[order[k]];
-  return result;
-}
-
-/// In the order of the particles' numbers, so that a particle has the same place in every file;
-/// where particles come and go, with the numbers.
-void export_particles(const fs::path& file, const sim::Frame& frame, bool with_numbers) {
-  std::vector<std::uint32_t> order(frame.ids.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](auto a, auto b) { return frame.ids[a] < frame.ids[b]; });
-  const auto positions = ordered(frame.positions, order);
-  const auto velocities = ordered(frame.velocities, order);
-  const auto densities = ordered(frame.densities, order);
-  const auto pressures = ordered(frame.pressures, order);
-  const auto numbers = with_numbers ? ordered(frame.ids, order) : std::vector<std::uint32_t>();
-  output::write_ply(file, output::ParticleAttributes{.positions = positions,
-                                                     .velocities = velocities,
-                                                     .densities = densities,
-                                                     .pressures = pressures,
-                                                     .numbers = numbers});
+/// Leaves what is asked for of a frame besides its picture.
+void export_frame(const RenderOptions& options, int number, const ExportedFrame& frame) {
+  for (const ExportFormat* format : options.exports)
+    format->write(
+        options.output / format->folder / fmt::format("{:04}{}", number, format->extension), frame);
 }
 
 /// Particles to picture. Lives in the drawing thread.
@@ -106,28 +84,19 @@ class DrawingStage {
 
   Image draw(const NumberedParticles& particles) {
     Mesh surface;
-    if (scene_drawing_.shows_surface() || options_.export_meshes) {
+    if (scene_drawing_.shows_surface() || any_of_surface(options_.exports)) {
       const StageTimer timer(meshing_);
       surface = scene_drawing_.surface_of(particles.frame);
     }
-    export_geometry(particles, surface);
+    if (!options_.exports.empty()) {
+      const StageTimer timer(writing_);
+      export_frame(options_, particles.number, {scene_, particles.frame, surface});
+    }
     const StageTimer timer(drawing_);
     return scene_drawing_.draw(particles.frame, surface);
   }
 
  private:
-  void export_geometry(const NumberedParticles& particles, const Mesh& mesh) {
-    if (!options_.export_meshes && !options_.export_particles)
-      return;
-    const StageTimer timer(writing_);
-    const std::string name = fmt::format("{:04}.ply", particles.number);
-    if (options_.export_meshes)
-      output::write_ply(options_.output / "meshes" / name, mesh);
-    if (options_.export_particles)
-      export_particles(options_.output / "particles_ply" / name, particles.frame,
-                       scene_.simulation.exchanges_particles());
-  }
-
   const Scene& scene_;
   const RenderOptions& options_;
   double &meshing_, &drawing_, &writing_;
@@ -212,6 +181,8 @@ class Pipeline {
     ParticleSource source(scene_, options_, record_.probe_readings);
     Progress progress(scene_, options_, range.last - range.first + 1, source.particle_count());
     guarded([&] {
+      for (const ExportFormat* format : options_.exports)
+        output::make_folders(options_.output / format->folder);
       if (!options_.simulate_only) {
         make_folders();
         drawing_ = started_thread([&] { guarded([&] { draw_all(); }); });
@@ -276,11 +247,7 @@ class Pipeline {
         continue;
       kept.frame = sim::in_sight(scene_.simulation, std::move(kept.frame));
       if (options_.simulate_only) {
-        if (options_.export_particles) {
-          output::make_folders(options_.output / "particles_ply");
-          export_particles(options_.output / "particles_ply" / fmt::format("{:04}.ply", number),
-                           kept.frame, scene_.simulation.exchanges_particles());
-        }
+        export_frame(options_, number, {scene_, kept.frame, {}});
         progress.show("simulating", number, ++record_.frames_finished);
       } else {
         particles_.push({number, std::move(kept.frame)});
@@ -325,10 +292,6 @@ class Pipeline {
     output::require_replaceable(options_.output / video_name(options_, record_.first_frame,
                                                              record_.frames_wanted, scene_.video));
     output::make_folders(options_.output / "frames");
-    if (options_.export_meshes)
-      output::make_folders(options_.output / "meshes");
-    if (options_.export_particles)
-      output::make_folders(options_.output / "particles_ply");
   }
 
   const Scene& scene_;

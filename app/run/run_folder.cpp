@@ -21,8 +21,24 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, part_count> part_names{"pictures", "videos", "meshes",
-                                                         "particles_ply", "probes"};
+/// The folder of a run's pictures.
+constexpr const char* picture_folder = "frames";
+
+/// What a run's folder holds besides run.json: pictures, videos and probes, and what is exported.
+std::vector<std::string_view> parts() {
+  std::vector<std::string_view> names{"pictures", "videos", "probes"};
+  for (const ExportFormat& format : export_formats())
+    names.push_back(format.folder);
+  return names;
+}
+
+/// The folders with a file for each frame.
+std::vector<fs::path> frame_folders(const fs::path& run) {
+  std::vector<fs::path> folders{run / picture_folder};
+  for (const ExportFormat& format : export_formats())
+    folders.push_back(run / format.folder);
+  return folders;
+}
 
 /// A file of a run, and the frames that it is of: the last one, or -1 where it is of all.
 struct RunFile {
@@ -73,19 +89,14 @@ std::vector<RunFile> videos_in(const fs::path& folder) {
   return files;
 }
 
-std::vector<RunFile> files_of(Part part, const fs::path& folder) {
-  switch (part) {
-    case Part::pictures:
-      return numbered_files(folder / "frames", ".png");
-    case Part::videos:
-      return videos_in(folder);
-    case Part::meshes:
-      return numbered_files(folder / "meshes", ".ply");
-    case Part::particles:
-      return numbered_files(folder / "particles_ply", ".ply");
-    case Part::probes:
-      break;
-  }
+std::vector<RunFile> files_of(std::string_view part, const fs::path& folder) {
+  if (part == "pictures")
+    return numbered_files(folder / picture_folder, ".png");
+  if (part == "videos")
+    return videos_in(folder);
+  for (const ExportFormat& format : export_formats())
+    if (part == format.folder)
+      return numbered_files(folder / format.folder, format.extension);
   std::vector<RunFile> files;
   for (const char* name : {"probes.csv", "probes.html"})
     if (fs::is_regular_file(folder / name))
@@ -104,10 +115,11 @@ Json hashes_of_parts(const Scene& scene, const std::string& particles) {
   const std::string of = SPINDRIFT_VERSION + particles + simulation_hash(scene);
   const auto hash = [&](const auto&... values) { return text_hash((of + ... + values.dump())); };
   Json hashes;
+  hashes["simulation"] = hash();
   hashes["pictures"] = hash(look);
   hashes["videos"] = hash(look, whole["video"]["quality"]);
-  hashes["meshes"] = hash(whole["surface"]);
-  hashes["particles_ply"] = hash();
+  for (const ExportFormat& format : export_formats())
+    hashes[std::string(format.folder)] = format.of_surface ? hash(whole["surface"]) : hash();
   hashes["probes"] = hash(whole["probes"], whole["probes_rate"]);
   return hashes;
 }
@@ -174,17 +186,17 @@ void RunFolder::refuse_others() const {
   }
   if (fs::exists(folder / "run.json"))
     return;  // damaged, but ours
-  for (int k = 0; k < part_count; ++k)
-    for (const RunFile& file : files_of(Part{k}, folder))
+  for (const std::string_view part : parts())
+    for (const RunFile& file : files_of(part, folder))
       throw InputError(fmt::format("{} is there, but no run.json that says of which scene; {}",
                                    file.path.string(), advice));
 }
 
 /// Whether the files of a part that are there are of this scene.
-bool RunFolder::belongs(Part part) const {
-  const char* name = part_names[static_cast<std::size_t>(part)];
+bool RunFolder::belongs(std::string_view part) const {
+  const std::string name(part);
   const Json made_of = previous_.is_null() ? Json() : previous_.value("made_of", Json());
-  return text_in(made_of, name) == made_of_.at(name);
+  return text_in(made_of, name.c_str()) == made_of_.at(name);
 }
 
 bool RunFolder::was_longer() const {
@@ -193,33 +205,33 @@ bool RunFolder::was_longer() const {
 }
 
 void RunFolder::remove_others() const {
-  for (int k = 0; k < part_count; ++k)
-    for (const RunFile& file : files_of(Part{k}, options_.output))
-      if (!belongs(Part{k}) || file.last >= scene_.video.frame_count())
+  for (const std::string_view part : parts())
+    for (const RunFile& file : files_of(part, options_.output))
+      if (!belongs(part) || file.last >= scene_.video.frame_count())
         fs::remove(file.path);
   std::error_code not_empty;
-  for (const char* name : {"frames", "meshes", "particles_ply"})
-    if (fs::is_directory(options_.output / name))
-      fs::remove(options_.output / name, not_empty);
+  for (const fs::path& folder : frame_folders(options_.output))
+    if (fs::is_directory(folder))
+      fs::remove(folder, not_empty);
 }
 
 void RunFolder::begin() {
-  for (const char* name : {"frames", "meshes", "particles_ply"})
-    output::remove_part_files(options_.output / name);
+  for (const fs::path& folder : frame_folders(options_.output))
+    output::remove_part_files(folder);
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(options_.output / "particles", none))
     output::remove_part_files(entry.path());
   if (!previous_.is_null()) {
     Json being_replaced = previous_;
     being_replaced["complete"] = false;
-    for (const char* name : part_names)
-      being_replaced.erase(name);
+    for (const std::string_view part : parts())
+      being_replaced.erase(std::string(part));
     write(being_replaced);
   }
   remove_others();
   Json json = identity();
   json["complete"] = false;
-  if (!previous_.is_null() && belongs(Part::particles) && !was_longer())
+  if (!previous_.is_null() && belongs("simulation") && !was_longer())
     for (const char* key :
          {"particles", "boundary_particles", "simulation_bytes", "backend", "simulation_seconds",
           "simulation_phases", "steps", "rejected_steps", "iterations", "worst_mean_compression",
@@ -252,7 +264,7 @@ void RunFolder::write_probes(const RunRecord& record) const {
   const fs::path table = options_.output / "probes.csv";
   const std::string text = probes_csv(scene_, record.probe_readings);
   std::error_code none;
-  if (belongs(Part::probes) && !was_longer() && fs::is_regular_file(table, none) &&
+  if (belongs("probes") && !was_longer() && fs::is_regular_file(table, none) &&
       lines_of(output::read_file(table)) > lines_of(text))
     return;
   output::write_file(table, text);
@@ -266,15 +278,15 @@ void RunFolder::write_probes(const RunRecord& record) const {
 /// Which frames the folder holds, in what form.
 void RunFolder::add_contents(Json& json, const RunRecord& record) const {
   const fs::path& folder = options_.output;
-  json["pictures"] = ranges_of(files_of(Part::pictures, folder));
+  json["pictures"] = ranges_of(files_of("pictures", folder));
   json["videos"] = Json::array();
-  for (const RunFile& file : files_of(Part::videos, folder))
+  for (const RunFile& file : files_of("videos", folder))
     json["videos"].push_back({{"file", file.path.filename().string()},
                               {"first_frame", file.first},
                               {"frames", output::video_length(file.path)}});
-  for (const Part part : {Part::meshes, Part::particles})
-    if (const auto files = files_of(part, folder); !files.empty())
-      json[part_names[static_cast<std::size_t>(part)]] = ranges_of(files);
+  for (const ExportFormat& format : export_formats())
+    if (const auto files = files_of(format.folder, folder); !files.empty())
+      json[std::string(format.folder)] = ranges_of(files);
   json["complete"] = is_complete(json, record);
 }
 
@@ -293,7 +305,7 @@ bool RunFolder::is_complete(const Json& json, const RunRecord& record) const {
 Json RunFolder::finish(const RunRecord& record) {
   Json json = identity();
   const Json earlier =
-      !previous_.is_null() && belongs(Part::particles) ? frames_in(previous_) : Json::array();
+      !previous_.is_null() && belongs("simulation") ? frames_in(previous_) : Json::array();
   json.update(report_json(scene_, record, earlier));
   add_contents(json, record);
   write(json);

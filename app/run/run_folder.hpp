@@ -18,10 +18,6 @@
 
 namespace spindrift::app {
 
-/// Folders and files of a run, by what they hold.
-enum class Part { pictures, videos, meshes, particles, probes };
-inline constexpr int part_count = 5;
-
 class RunFolder {
  public:
   /// Changes nothing yet. The caller holds the folder's lock.
@@ -40,7 +36,7 @@ class RunFolder {
 
  private:
   void refuse_others() const;
-  bool belongs(Part part) const;
+  bool belongs(std::string_view part) const;
   /// Whether the run before had more frames than this scene.
   bool was_longer() const;
   void remove_others() const;

@@ -10,6 +10,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "render/frame_rate.hpp"
@@ -104,18 +106,23 @@ std::string encoder_info();
 /// vertices; std::runtime_error naming the file and the reason
 void write_ply(const std::filesystem::path& file, const Mesh& mesh);
 
-/// Attributes of particles for write_ply(); all spans are as long as `positions`, or empty.
-struct ParticleAttributes {
-  std::span<const glm::vec3> positions;         ///< m
-  std::span<const glm::vec3> velocities;        ///< m/s
-  std::span<const float> densities;             ///< kg/m³
-  std::span<const float> pressures;             ///< Pa
-  std::span<const std::uint32_t> numbers = {};  ///< number of each particle, all different
+/// Writes a triangle mesh as Wavefront OBJ: v, vn where there are normals, f. Numbers are written
+/// with as many digits as it takes to read the same float back.
+/// @throws std::invalid_argument for another number of normals than of vertices, std::runtime_error
+/// naming the file and the reason
+void write_obj(const std::filesystem::path& file, const Mesh& mesh);
+
+/// The values of one attribute of all particles, in the same order for all attributes.
+struct ParticleAttribute {
+  std::string_view properties;  ///< names of its numbers, with a space between them
+  std::string_view unit;        ///< in letters and digits; empty: it has none
+  std::variant<std::vector<float>, std::vector<std::uint32_t>, std::vector<glm::vec3>> values;
 };
 
-/// Writes particles as binary little-endian PLY: x y z [vx vy vz] [density] [pressure] [id].
-/// @throws std::invalid_argument for spans of unequal length, std::runtime_error naming the file
-/// and the reason
-void write_ply(const std::filesystem::path& file, const ParticleAttributes& particles);
+/// Writes particles as binary little-endian PLY, with the properties of the attributes in their
+/// order: floats, or unsigned integers of 32 bits.
+/// @throws std::invalid_argument for attributes of unequal length, std::runtime_error naming the
+/// file and the reason
+void write_ply(const std::filesystem::path& file, std::span<const ParticleAttribute> attributes);
 
 }  // namespace spindrift::output

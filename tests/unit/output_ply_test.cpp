@@ -90,7 +90,11 @@ TEST_CASE("Particles in PLY have all their attributes exactly") {
   const std::vector<glm::vec3> velocities = {{-1, 0, 0}, {0, -2, 0}, {0, 0, 0.3f}};
   const std::vector<float> densities = {998, 1000, 1002.5f};
   const std::vector<float> pressures = {0, 1e5f, -3};
-  output::write_ply(folder / "p.ply", {positions, velocities, densities, pressures});
+  output::write_ply(folder / "p.ply",
+                    std::vector<output::ParticleAttribute>{{"x y z", "m", positions},
+                                                           {"vx vy vz", "m/s", velocities},
+                                                           {"density", "kg/m^3", densities},
+                                                           {"pressure", "Pa", pressures}});
   Ply ply(folder / "p.ply");
   REQUIRE(ply.lines == Lines{"ply", "format binary_little_endian 1.0", "element vertex 3",
                              "property float x", "property float y", "property float z",
@@ -106,32 +110,77 @@ TEST_CASE("Particles in PLY have all their attributes exactly") {
   }
 }
 
-TEST_CASE("Attributes that are not given are not in the PLY") {
+TEST_CASE("Whole numbers in PLY are unsigned integers, and have no unit where none is given") {
   const TemporaryFolder folder;
   const std::vector<glm::vec3> positions = {{1, 2, 3}, {4, 5, 6}};
-  const std::vector<float> pressures = {10, 20};
-  output::write_ply(folder / "p.ply", {positions, {}, {}, pressures});
+  const std::vector<std::uint32_t> ids = {7, 4'000'000'000u};
+  output::write_ply(folder / "p.ply", std::vector<output::ParticleAttribute>{
+                                          {"x y z", "m", positions}, {"id", "", ids}});
   Ply ply(folder / "p.ply");
-  REQUIRE(ply.lines.back() == "property float pressure");
-  REQUIRE(ply.lines.size() == 7);
+  REQUIRE(ply.lines.back() == "property uint id");
+  REQUIRE(ply.comments.find("id") == std::string::npos);
   REQUIRE(ply.data.size() == 2 * 16);
   REQUIRE(ply.next<glm::vec3>() == positions[0]);
-  REQUIRE(ply.next<float>() == 10);
+  REQUIRE(ply.next<std::uint32_t>() == 7);
+  REQUIRE(ply.next<glm::vec3>() == positions[1]);
+  REQUIRE(ply.next<std::uint32_t>() == 4'000'000'000u);
 }
 
-TEST_CASE("PLY attributes of another length than the positions are rejected") {
+TEST_CASE("Attributes of unequal length, and too few normals, are rejected") {
   const TemporaryFolder folder;
-  const std::vector<glm::vec3> two(2);
-  const std::vector<glm::vec3> three(3);
-  const std::vector<float> one(1);
-  REQUIRE_THROWS_AS(output::write_ply(folder / "p.ply", {two, three, {}, {}}),
+  const std::vector<glm::vec3> two(2), three(3);
+  const auto write = [&](const std::vector<output::ParticleAttribute>& attributes) {
+    output::write_ply(folder / "p.ply", attributes);
+  };
+  REQUIRE_THROWS_AS(write({{"x y z", "m", two}, {"vx vy vz", "m/s", three}}),
                     std::invalid_argument);
-  REQUIRE_THROWS_AS(output::write_ply(folder / "p.ply", {two, {}, one, {}}), std::invalid_argument);
-  REQUIRE_THROWS_AS(output::write_ply(folder / "p.ply", {two, {}, {}, one}), std::invalid_argument);
-  REQUIRE_THROWS_AS(output::write_ply(folder / "p.ply", {{}, {}, {}, one}), std::invalid_argument);
+  REQUIRE_THROWS_AS(write({{"x y z", "m", two}, {"density", "", std::vector<float>(1)}}),
+                    std::invalid_argument);
+  REQUIRE_THROWS_AS(write({{"x y z", "m", {}}, {"density", "", std::vector<float>(1)}}),
+                    std::invalid_argument);
   REQUIRE_THROWS_AS(output::write_ply(folder / "m.ply", Mesh{two, three, {}}),
                     std::invalid_argument);
+  REQUIRE_THROWS_AS(output::write_obj(folder / "m.obj", Mesh{two, three, {}}),
+                    std::invalid_argument);
   REQUIRE(folder.entries() == 0);
+}
+
+TEST_CASE("A mesh in OBJ is read back with every float as it was") {
+  const TemporaryFolder folder;
+  const bool normals = GENERATE(true, false);
+  Mesh mesh{{{0.1f, -2, 3}, {1e-20f, 5, 6e20f}, {7, 1.f / 3, 9}, {-0.0f, 1, 16777217}},
+            {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6f, 0.8f, 0}},
+            {{0, 1, 2}, {2, 1, 3}}};
+  if (!normals)
+    mesh.normals.clear();
+  output::write_obj(folder / "mesh.obj", mesh);
+  std::istringstream text(content_of(folder / "mesh.obj"));
+  Mesh read;
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words(line);
+    std::string kind, a, b, c;
+    words >> kind >> a >> b >> c;
+    const auto vector = [&] { return glm::vec3(std::stof(a), std::stof(b), std::stof(c)); };
+    const auto index = [&](const std::string& word) {
+      const std::size_t slashes = word.find("//");
+      CHECK((slashes != std::string::npos) == normals);
+      if (normals)
+        CHECK(word.substr(0, slashes) == word.substr(slashes + 2));
+      return static_cast<unsigned>(std::stoul(word)) - 1;
+    };
+    if (kind == "v")
+      read.vertices.push_back(vector());
+    else if (kind == "vn")
+      read.normals.push_back(vector());
+    else if (kind == "f")
+      read.triangles.push_back({index(a), index(b), index(c)});
+    else
+      CHECK(kind == "#");
+  }
+  CHECK(read.vertices == mesh.vertices);
+  CHECK(read.normals == mesh.normals);
+  CHECK(read.triangles == mesh.triangles);
+  CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("A PLY that cannot be written is an error with its name") {
@@ -139,7 +188,11 @@ TEST_CASE("A PLY that cannot be written is an error with its name") {
   REQUIRE_THROWS_WITH(output::write_ply(folder / "none/m.ply", Mesh{}), Contains("none/m.ply"));
   const std::vector<glm::vec3> many(100000);
   REQUIRE(fails_when_full(5000, "p.ply", [&] {
-    output::write_ply(folder / "p.ply", {many, {}, {}, {}});
+    output::write_ply(folder / "p.ply",
+                      std::vector<output::ParticleAttribute>{{"x y z", "m", many}});
+  }));
+  REQUIRE(fails_when_full(5000, "m.obj", [&] {
+    output::write_obj(folder / "m.obj", Mesh{many, {}, {}});
   }));
   REQUIRE(folder.entries() == 0);
 }

@@ -36,6 +36,11 @@ inline app::RenderOptions options_for(const fs::path& folder) {
   return options;
 }
 
+/// The export formats of these names.
+inline app::Exports exports(const std::vector<std::string>& names) {
+  return app::exports_of(names);
+}
+
 inline std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

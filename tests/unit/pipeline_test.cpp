@@ -155,10 +155,12 @@ TEST_CASE("a scene without probes has no table of them") {
 TEST_CASE("meshes and particles are exported on request, and nothing is drawn by simulate") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
-  options.export_meshes = options.export_particles = true;
+  options.exports = exports({"meshes", "meshes_obj", "particles"});
   REQUIRE(app::run_render(scene(), options) == app::done);
   CHECK(count(options.output / "meshes") == 6);
   CHECK(bytes_of(options.output / "meshes/0000.ply").starts_with("ply\n"));
+  CHECK(count(options.output / "meshes_obj") == 6);
+  CHECK(bytes_of(options.output / "meshes_obj/0000.obj").starts_with("# "));
   CHECK(count(options.output / "particles_ply") == 6);
   auto dry = options_for(folder / "dry");
   dry.simulate_only = true;
@@ -202,7 +204,8 @@ TEST_CASE("a run.json of other types is as one that says nothing") {
 TEST_CASE("liquid still in a nozzle outside the tank is kept, and not exported") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
-  options.export_particles = options.simulate_only = true;
+  options.exports = exports({"particles"});
+  options.simulate_only = true;
   const app::Scene fed = scene({R"(fluid.emitters=[{"disc": {"center": [0.7, 0, 0.2],
                                     "direction": [0, 1, 0], "radius": 0.12}, "speed": 1}])"});
   REQUIRE(app::run_render(fed, options) == app::done);
@@ -267,7 +270,7 @@ TEST_CASE("a scene that starts empty is drawn, exported, reported, and gone on w
   };
   const TemporaryFolder folder;
   auto once = options_for(folder / "once"), twice = options_for(folder / "twice");
-  once.export_meshes = once.export_particles = true;
+  once.exports = exports({"meshes", "particles"});
   REQUIRE(app::run_render(scene_of({}), once) == app::done);
   const auto report = report_of(once.output);
   const auto& frames = report.at("frames");

@@ -40,7 +40,7 @@ void cut_short(const fs::path& run, int number) {
 TEST_CASE("a part drawn with another look leaves none of the old one's files") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
-  options.export_meshes = options.export_particles = true;
+  options.exports = exports({"meshes", "meshes_obj", "particles"});
   REQUIRE(app::run_render(scene(), options) == app::done);
   auto part = options_for(folder / "run");
   part.frames = app::FrameRange{0, 2};
@@ -56,6 +56,7 @@ TEST_CASE("a part drawn with another look leaves none of the old one's files") {
   CHECK_FALSE(fs::exists(part.output / "video.mp4"));
   // The same liquid: its particles and surface are still those of the scene.
   CHECK(count(part.output / "meshes") == 6);
+  CHECK(count(part.output / "meshes_obj") == 6);
   CHECK(count(part.output / "particles_ply") == 6);
   const auto whole = options_for(folder / "whole");
   REQUIRE(app::run_render(scene({green}), whole) == app::done);
@@ -65,7 +66,7 @@ TEST_CASE("a part drawn with another look leaves none of the old one's files") {
 TEST_CASE("another liquid leaves nothing of the first but its kept particles") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
-  options.export_meshes = options.export_particles = true;
+  options.exports = exports({"meshes", "meshes_obj", "particles"});
   const char* probe = R"(probes=[{"name": "e", "energy": {}}])";
   REQUIRE(app::run_render(scene({probe}), options) == app::done);
   auto other = options_for(folder / "run");
@@ -105,7 +106,7 @@ TEST_CASE("a part drawn again with the same look changes nothing and keeps the r
 TEST_CASE("a shorter run removes what is beyond its end") {
   const TemporaryFolder folder;
   auto options = options_for(folder / "run");
-  options.export_meshes = options.export_particles = true;
+  options.exports = exports({"meshes", "meshes_obj", "particles"});
   REQUIRE(app::run_render(scene(), options) == app::done);
   auto shorter = options_for(folder / "run");
   shorter.simulate_only = true;
