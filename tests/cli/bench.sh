@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
 # A small benchmark: its table, its report, and what it says about bad input.
 # Usage: bench.sh PROGRAM, from the source tree's root. Returns 1 if a check fails.
-set -uo pipefail
-program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-fail() { echo "FAILED: $*"; cat "$folder/err" 2>/dev/null; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 
 cat >"$folder/drop.json" <<'JSON'
 {
@@ -15,7 +12,7 @@ cat >"$folder/drop.json" <<'JSON'
   "video": {"duration": 0.3}
 }
 JSON
-bench() { "$program" bench "$@" >"$folder/out" 2>"$folder/err" </dev/null; }
+bench() { spindrift bench "$@"; }
 
 # The plane of two solvers, two tolerances and two steps.
 bench "$folder/drop.json" --spacing 1 --tolerance 1,4 --time-step 0.5,1 -o "$folder/plane" ||
@@ -101,23 +98,13 @@ grep -q "interrupted after [0-9]* of 18 runs" "$folder/err" ||
   fail "it did not say that it was interrupted"
 [[ -s $folder/interrupted/bench.csv && -s $folder/interrupted/bench.html ]] || fail "it left nothing"
 
-# refuse TEXT ARGUMENT...: bad usage, told on stderr.
-refuse() {
-  local text=$1 code
-  shift
-  bench "$@" -o "$folder/refused"
-  code=$?
-  ((code == 2)) || fail "bench $* returned $code instead of 2"
-  grep -qF -- "$text" "$folder/err" || fail "bench $* did not say \"$text\""
-  [[ ! -s $folder/out && ! -e $folder/refused ]] || fail "bench $* did something"
-}
-refuse "there is no such file" no_such_scene.json
-refuse 'did you mean "spacing"?' --set fluid.spacng=1
-refuse "solver.cfl: 1.2 is out of range" --time-step 3
-refuse "--spacing" --spacing none
-refuse "--spacing" --spacing -1
-refuse "pcisph" --solver dfsph
-refuse 'did you mean "--spacing"' --spacings 1
-refuse "meshes can't be repeated" --scaling --set 'obstacles=[{"mesh": {"file": "'"$folder/wedge.obj"'"}}]'
-refuse "add --plane" --scaling "$folder/drop.json"
+refuse "there is no such file" bench no_such_scene.json
+refuse 'did you mean "spacing"?' bench --set fluid.spacng=1
+refuse "solver.cfl: 1.2 is out of range" bench --time-step 3
+refuse "--spacing" bench --spacing none
+refuse "--spacing" bench --spacing -1
+refuse "pcisph" bench --solver dfsph
+refuse 'did you mean "--spacing"' bench --spacings 1
+refuse "meshes can't be repeated" bench --scaling --set 'obstacles=[{"mesh": {"file": "'"$folder/wedge.obj"'"}}]'
+refuse "add --plane" bench --scaling "$folder/drop.json"
 exit 0

@@ -1,18 +1,16 @@
 # A browser without a display, for the scripts of this folder that source this: it is driven by WebDriver
-# (www.w3.org/TR/webdriver2). Leaves the calling script with 77 where there is no browser.
-# The script sets `folder`, a folder for files that goes away when the script ends.
+# (www.w3.org/TR/webdriver2). Brings common.sh with it.
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 driver=
-finish() {
+end_browser() {
   [[ -n ${session-} ]] && request DELETE "/session/$session" >/dev/null 2>&1
   [[ -n $driver ]] && kill "$driver" 2>/dev/null && wait "$driver" 2>/dev/null
-  rm -rf "$folder"
 }
-trap finish EXIT
-fail() { echo "FAILED: $*"; exit 1; }
+trap 'end_browser; clean_up' EXIT
 
 for tool in chromium chromedriver; do
-  command -v $tool >/dev/null ||
-    { echo "skipped: $tool is not installed (apt-get install chromium chromium-driver)"; exit 77; }
+  command -v $tool >/dev/null || fail "$tool is not installed (apt-get install chromium chromium-driver)"
 done
 
 # request METHOD PATH [BODY]: prints the driver's answer (WebDriver, www.w3.org/TR/webdriver2).
@@ -49,13 +47,8 @@ expect() {
 start_browser() {
   chromedriver --port=0 >"$folder/driver.log" 2>&1 &
   driver=$!
-  port=
-  for _ in $(seq 100); do
-    port=$(sed -n 's/.*successfully on port \([0-9]*\).*/\1/p' "$folder/driver.log")
-    [[ -n $port ]] && break
-    sleep 0.1
-  done
-  [[ -n $port ]] || fail "chromedriver did not start"
+  wait_until grep -q "successfully on port" "$folder/driver.log" || fail "chromedriver did not start"
+  port=$(sed -n 's/.*successfully on port \([0-9]*\).*/\1/p' "$folder/driver.log")
   sandbox=
   ((EUID == 0)) && sandbox=', "--no-sandbox"'
   # Driver and browser talk through a pipe: a fresh machine without /etc/hosts does not know localhost.

@@ -1,19 +1,17 @@
 #!/usr/bin/env bash
 # The command line as a user types it: what each command returns and what it says.
 # Usage: command_line.sh PROGRAM PART, from the source tree's root. Returns 1 if a check fails.
-set -uo pipefail
-program=$(readlink -f "$1")
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 part=$2
 failures=0
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
 # expect CODE TEXT ARGUMENT...: the exit code, and a text that must be in the output of the command.
 # Errors must be on stderr, and stdout empty then.
 expect() {
   local code=$1 text=$2 found out err
   shift 2
-  "$program" "$@" >"$folder/out" 2>"$folder/err" </dev/null
+  spindrift "$@"
   found=$?
   out=$(<"$folder/out") err=$(<"$folder/err")
   if ((found != code)); then
@@ -29,7 +27,7 @@ expect() {
 expect_json() {
   local text=$1 found
   shift
-  "$program" "$@" >"$folder/out" 2>"$folder/err" </dev/null
+  spindrift "$@"
   found=$?
   local flat
   flat=$(sed 's/^ *//' "$folder/out" | tr '\n' ' ' | sed 's/{ /{/g; s/ }/}/g')

@@ -1,21 +1,19 @@
 #!/usr/bin/env bash
 # Golden tests of a project of one's own, and what they notice.
 # Usage: golden.sh PROGRAM. Returns 1 if a check fails.
-set -uo pipefail
-program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-fail() { echo "FAILED: $*"; cat stdout stderr 2>/dev/null; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
+mkdir "$folder/project"
+cd "$folder/project" || exit 1
 
 # expect CODE TEXT ARGUMENT...: the exit code of `golden`, and a text that it must say.
 expect() {
   local code=$1 text=$2 found
   shift 2
-  "$program" golden "$@" >stdout 2>stderr </dev/null
+  spindrift golden "$@"
   found=$?
   ((found == code)) || fail "golden $*: returned $found instead of $code"
-  [[ $(<stdout)$(<stderr) == *"$text"* ]] || fail "golden $*: did not say \"$text\""
+  [[ $(<"$folder/out")$(<"$folder/err") == *"$text"* ]] || fail "golden $*: did not say \"$text\""
 }
 
 cat >honey.json <<'JSON'

@@ -3,11 +3,8 @@
 # command then goes on from there and ends with the bytes of a run in one piece. So it does after a
 # run that was killed, in a scene whose particles come and go.
 # Usage: interrupt.sh PROGRAM. Returns 1 if a check fails.
-set -uo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-fail() { echo "FAILED: $*"; cat "$folder/err" 2>/dev/null; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 
 cat >"$folder/scene.json" <<'JSON'
 {
@@ -19,10 +16,7 @@ JSON
 
 "$program" render "$folder/scene.json" -o "$folder/cut" >"$folder/out" 2>"$folder/err" </dev/null &
 pid=$!
-for _ in $(seq 1000); do
-  [[ -e $folder/cut/frames/0003.png ]] && break
-  sleep 0.05
-done
+wait_until test -e "$folder/cut/frames/0003.png"
 kill -INT $pid
 wait $pid
 code=$?
@@ -36,10 +30,9 @@ grep -q '^scene: 30 frames, [0-9]* particles at the start$' "$folder/err" || fai
 finished=$(find "$folder/cut/frames" -name '*.png' | wc -l)
 ((finished >= 4 && finished < 30)) || fail "$finished frames were left; the run was not cut in its middle"
 
-"$program" render "$folder/scene.json" -o "$folder/cut" --json >"$folder/report" 2>"$folder/err" </dev/null ||
-  fail "going on returned $?"
-grep -q '"frames_simulated": 30' "$folder/report" && fail "it simulated everything again"
-"$program" render "$folder/scene.json" -o "$folder/whole" --quiet 2>"$folder/err" </dev/null || fail "the whole run returned $?"
+spindrift render "$folder/scene.json" -o "$folder/cut" --json || fail "going on returned $?"
+grep -q '"frames_simulated": 30' "$folder/out" && fail "it simulated everything again"
+spindrift render "$folder/scene.json" -o "$folder/whole" --quiet || fail "the whole run returned $?"
 cmp "$folder/cut/video.mp4" "$folder/whole/video.mp4" || fail "the videos differ"
 cmp "$folder/cut/frames/0029.png" "$folder/whole/frames/0029.png" || fail "the last frames differ"
 
@@ -47,10 +40,8 @@ cmp "$folder/cut/frames/0029.png" "$folder/whole/frames/0029.png" || fail "the l
 "$program" render "$folder/scene.json" -o "$folder/whole" --set video.width=3840 --set video.height=2160 --frames 0:4 \
   >"$folder/out" 2>"$folder/err" </dev/null &
 pid=$!
-for _ in $(seq 1000); do
-  [[ -e $folder/whole/frames/0000.png ]] && [[ $(wc -c <"$folder/whole/frames/0000.png") -gt 100000 ]] && break
-  sleep 0.02
-done
+has_large_picture() { [[ -n $(find "$folder/whole/frames/0000.png" -size +100000c 2>/dev/null) ]]; }
+wait_until has_large_picture
 kill -INT $pid
 wait $pid
 code=$?
@@ -71,10 +62,8 @@ JSON
 
 "$program" render "$folder/tap.json" -o "$folder/killed" >"$folder/out" 2>"$folder/err" </dev/null &
 pid=$!
-for _ in $(seq 3000); do
-  [[ -n $(find "$folder/killed/particles" -name 0005.particles 2>/dev/null) ]] && break
-  sleep 0.02
-done
+has_six_kept() { [[ -n $(find "$folder/killed" -name 0005.particles 2>/dev/null) ]]; }
+wait_until has_six_kept
 kill -KILL $pid
 { wait $pid; } 2>/dev/null  # without the word of it
 code=$?
@@ -82,10 +71,9 @@ code=$?
 kept=$(find "$folder/killed/particles" -name '[0-9]*.particles' | wc -l)
 ((kept >= 6 && kept < 30)) || fail "$kept frames were kept; the run was not killed in its middle"
 
-"$program" render "$folder/tap.json" -o "$folder/killed" --json >"$folder/report" 2>"$folder/err" </dev/null ||
-  fail "going on after a kill returned $?"
-grep -q "\"frames_simulated\": $((30 - kept))," "$folder/report" || fail "it did not go on from the $kept kept frames"
-"$program" render "$folder/tap.json" -o "$folder/alive" --quiet 2>"$folder/err" </dev/null || fail "the undisturbed run returned $?"
+spindrift render "$folder/tap.json" -o "$folder/killed" --json || fail "going on after a kill returned $?"
+grep -q "\"frames_simulated\": $((30 - kept))," "$folder/out" || fail "it did not go on from the $kept kept frames"
+spindrift render "$folder/tap.json" -o "$folder/alive" --quiet || fail "the undisturbed run returned $?"
 for change in entered drained; do
   (($(grep -c "\"$change\": [1-9]" "$folder/alive/run.json") > 10)) || fail "few frames in which particles $change"
 done
@@ -98,10 +86,7 @@ begin() {
   "$@" "$program" render "$folder/scene.json" -o "$folder/hangup" --no-cache --quiet --progress json \
     >"$folder/out" 2>"$folder/err" </dev/null &
   pid=$!
-  for _ in $(seq 1000); do
-    [[ -e $folder/hangup/frames/0001.png ]] && break
-    sleep 0.02
-  done
+  wait_until test -e "$folder/hangup/frames/0001.png"
 }
 begin env
 kill -HUP $pid

@@ -4,13 +4,11 @@
 # once. After each end the folder must be of one scene, the one that run.json names, with no wrong byte in it; in the
 # end, the bytes of a run in one piece.
 # Usage: kills.sh PROGRAM [COUNT [SEED]]. Returns 1 if a check fails, with what to run to see it again.
-set -uo pipefail
-program=$(readlink -f "$1")
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 count=${2:-10}
 seed=${3:-1}
 RANDOM=$seed
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 frames=8
 history=()
 fail() {

@@ -2,11 +2,8 @@
 # Where the machine has too little of something, a run ends in words that name it, or is refused before it begins; and
 # what is kept of runs can be listed and removed.
 # Usage: limits.sh PROGRAM. Returns 1 if a check fails.
-set -uo pipefail
-program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-fail() { echo "FAILED: $*"; head -n 20 "$folder/err" "$folder/out" 2>/dev/null; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 
 cat >"$folder/scene.json" <<'JSON'
 {
@@ -80,33 +77,33 @@ code=$?
 grep -q "No space left" "$folder/err" || fail "it did not say that the device is full"
 
 # Disk space, as said and as taken.
-"$program" check "$folder/scene.json" --json >"$folder/out" || fail "check returned $?"
+spindrift check "$folder/scene.json" --json || fail "check returned $?"
 said=$(sed -n 's/^    "particles": \([0-9]*\).*/\1/p' "$folder/out")
 rm -r "$folder/run"
-"$program" "${run[@]}" --quiet 2>"$folder/err" || fail "a run returned $?"
+spindrift "${run[@]}" --quiet || fail "a run returned $?"
 taken=$(cat "$folder"/run/particles/*/*.particles | wc -c)
 ((said > taken * 8 / 10 && said < taken * 12 / 10)) || fail "check says $said bytes of particles, and there are $taken"
 
 # Kept simulations: listed with their scene; removed where nobody is at work.
-"$program" "${run[@]}" --set fluid.viscosity=1 --quiet 2>"$folder/err" || fail "another run returned $?"
-"$program" cache "$folder" >"$folder/out" 2>"$folder/err" || fail "cache returned $?"
+spindrift "${run[@]}" --set fluid.viscosity=1 --quiet || fail "another run returned $?"
+spindrift cache "$folder" || fail "cache returned $?"
 (($(grep -c "3 frames .*min old .*particles/.* $folder/scene.json" "$folder/out") == 2)) || fail "not both are listed"
 (($(grep -c " unused " "$folder/out") == 1)) || fail "not the one that is used no more is told from the other"
-"$program" cache "$folder" "$folder/run" "$folder/run/../run/particles" >"$folder/out" 2>"$folder/err" || fail "cache returned $?"
+spindrift cache "$folder" "$folder/run" "$folder/run/../run/particles" || fail "cache returned $?"
 grep -q "^2 kept simulations" "$folder/out" || fail "one that is under two names counts twice"
-"$program" cache "$folder" --remove --older-than 1h >"$folder/out" 2>"$folder/err" || fail "cache --remove returned $?"
+spindrift cache "$folder" --remove --older-than 1h || fail "cache --remove returned $?"
 (($(ls "$folder/run/particles" | wc -l) == 2)) || fail "young ones were removed"
 exec 9>"$folder/run/.lock"
 flock 9
-"$program" cache "$folder" --remove >"$folder/out" 2>"$folder/err"
+spindrift cache "$folder" --remove
 (($? == 3)) && grep -q "stays: .*at work here" "$folder/err" || fail "one in use was removed"
 exec 9>&-
-"$program" cache "$folder" --remove --unused --json >"$folder/out" 2>"$folder/err" || fail "cache --remove --unused returned $?"
+spindrift cache "$folder" --remove --unused --json || fail "cache --remove --unused returned $?"
 (($(ls "$folder/run/particles" | wc -l) == 1)) || fail "the unused one was not removed"
 (($(grep -c '"removed": true' "$folder/out") == 1)) || fail "it did not say what it removed"
-"$program" cache "$folder/nowhere" >"$folder/out" 2>"$folder/err"
+spindrift cache "$folder/nowhere"
 (($? == 2)) || fail "a folder that isn't there is no error"
-"$program" cache --older-than 3 >"$folder/out" 2>"$folder/err"
+spindrift cache --older-than 3
 (($? == 2)) && grep -q "as in 30d" "$folder/err" || fail "an age without a unit is no error"
 
 # Whatever writes in a folder is refused where somebody is at work.
@@ -117,7 +114,7 @@ flock 9
 picture=$folder/run/frames/0000.png
 for command in "render $folder/scene.json" "simulate $folder/scene.json" "bench $folder/scene.json --quick" \
   "golden check $folder/golden.json" "compare $picture $picture" "sweep $folder/scene.json --set fluid.viscosity=1,2"; do
-  "$program" $command -o "$folder/locked" >"$folder/out" 2>"$folder/err" </dev/null
+  spindrift $command -o "$folder/locked"
   code=$?
   ((code == 3)) || fail "$command returned $code in a folder that is in use"
   grep -q "locked: another process is at work here; wait for it, or give another folder" "$folder/err" ||
@@ -130,12 +127,12 @@ exec 9>&-
 mkdir "$folder/other" "$folder/here"
 sed 's/0.05/0.06/' "$folder/scene.json" >"$folder/other/scene.json"
 cd "$folder/here" || exit 1
-"$program" simulate ../scene.json --quiet 2>"$folder/err" || fail "a run returned $?"
-"$program" simulate ../other/scene.json --quiet 2>"$folder/err"
+spindrift simulate ../scene.json --quiet || fail "a run returned $?"
+spindrift simulate ../other/scene.json --quiet
 code=$?
 ((code == 2)) || fail "another scene of the same name returned $code instead of 2"
 grep -q "out/scene holds the results of another scene, $folder/scene.json; give another folder by -o" "$folder/err" ||
   fail "it did not say whose the folder is"
-"$program" simulate ../other/scene.json --quiet --force 2>"$folder/err" || fail "--force returned $?"
-"$program" simulate ../other/scene.json --quiet 2>"$folder/err" || fail "the same scene again returned $?"
+spindrift simulate ../other/scene.json --quiet --force || fail "--force returned $?"
+spindrift simulate ../other/scene.json --quiet || fail "the same scene again returned $?"
 exit 0

@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
 # The code for any x86-64 processor and the code with AVX2 give the same bytes.
 # Usage: processors.sh PROGRAM. Returns 1 if a check fails, 77 where the linker has no choice to be made.
-set -uo pipefail
-program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-fail() { echo "FAILED: $*"; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 
 loader=/lib64/ld-linux-x86-64.so.2
 [[ -x $loader && $("$loader" --help 2>/dev/null) == *"x86-64-v3 (supported"* ]] || exit 77
@@ -27,7 +24,7 @@ cat >"$folder/scene.json" <<'JSON'
   "video": {"width": 160, "height": 96, "duration": 0.4}
 }
 JSON
-"$program" render "$folder/scene.json" -o "$folder/avx2" --quiet || fail "with AVX2 it returned $?"
+spindrift render "$folder/scene.json" -o "$folder/avx2" --quiet || fail "with AVX2 it returned $?"
 "${plain[@]}" render "$folder/scene.json" -o "$folder/plain" --quiet || fail "without AVX2 it returned $?"
 for file in frames/0011.png video.mp4; do
   cmp "$folder/avx2/$file" "$folder/plain/$file" || fail "$file differs"

@@ -1,14 +1,11 @@
 #!/usr/bin/env bash
 # What is at fault is named: a variable of the environment, or a limit of the system; nothing ends in a signal.
 # Usage: shortage.sh PROGRAM, from the source tree's root. Returns 1 if a check fails.
-set -uo pipefail
-program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-fail() { echo "FAILED: $*"; cat "$folder/err"; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 render() {
-  "$program" render scenes/dam_break.json --set fluid.spacing=0.1 --set video.duration=0.1 --set video.width=32 \
-    --set video.height=32 --quiet -o "$folder/out" >/dev/null 2>"$folder/err" </dev/null
+  spindrift render scenes/dam_break.json --set fluid.spacing=0.1 --set video.duration=0.1 --set video.width=32 \
+    --set video.height=32 --quiet -o "$folder/run"
 }
 
 __EGL_VENDOR_LIBRARY_FILENAMES=/no/such/file.json render

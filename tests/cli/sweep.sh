@@ -3,20 +3,19 @@
 # is said of runs that fail and of bad input.
 # Usage: sweep.sh PROGRAM [shipped], from the source tree's root; with `shipped`, the sweep that ships is
 # ended by force several times instead. Returns 1 if a check fails.
-set -uo pipefail
-program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-fail() { echo "FAILED: $*"; cat "$folder/err" 2>/dev/null; exit 1; }
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 
 small=(scenes/small_dam_break.json --set fluid.spacing=0.06 --set video.duration=0.3 --set video.width=160
        --set video.height=96 --set probes_rate=100)
 varied=("${small[@]}" --set "fluid.viscosity=0.1,2,20" --set "surface.smoothing=0,5,30")
 grid=("${varied[@]}" --reference "viscosity=2,smoothing=5" --target gauge_m=0.41 --threads 2)
-sweep() { "$program" sweep "$@" >"$folder/out" 2>"$folder/err" </dev/null; }
+sweep() { spindrift sweep "$@"; }
 children_of() { cat /proc/"$1"/task/*/children 2>/dev/null; }
 count() { find "$1" -name "$2" 2>/dev/null | wc -l; }
 complete_in() { grep -sl '"complete": true' "$1"/*/run.json | wc -l; }
+has_complete() { (($(complete_in "$1") >= $2)); }
+has_kept() { (($(count "$1" '*.particles') >= $2)); }
 
 # What does not depend on the machine's speed, as a list of checksums.
 checksums() {
@@ -43,10 +42,7 @@ ended_by_force() {
   shift 2
   "$program" sweep "$@" -o "$out" --quiet </dev/null 2>"$folder/err" &
   pid=$!
-  for _ in $(seq 6000); do
-    (($(complete_in "$out/runs") >= complete)) && break
-    sleep 0.02
-  done
+  wait_until has_complete "$out/runs" "$complete"
   sweep "$@" -o "$out"
   (($? == 3)) && grep -q "sweep .*(process $pid) has been at work here" "$folder/err" ||
     fail "a second sweep in the same folder was not refused"
@@ -134,11 +130,8 @@ grep -q '"failure": "no time step' "$folder/failing/sweep.json" || fail "the rep
   >"$folder/out" 2>"$folder/err" </dev/null &
 pid=$!
 child=
-for _ in $(seq 500); do
-  child=$(children_of $pid | tr -d ' ')
-  [[ -n $child ]] && (($(count "$folder/dying/simulations" '*.particles') > 0)) && break
-  sleep 0.02
-done
+has_kept_child() { child=$(children_of $pid | tr -d ' ') && [[ -n $child ]] && has_kept "$folder/dying/simulations" 1; }
+wait_until has_kept_child
 kill -KILL "$child"
 wait $pid
 code=$?
@@ -153,10 +146,7 @@ begin_long() {
   before=$(count "$folder/interrupted/simulations" '*.particles')
   "$program" sweep "${long[@]}" >"$folder/out" 2>"$folder/err" </dev/null &
   pid=$!
-  for _ in $(seq 500); do
-    (($(count "$folder/interrupted/simulations" '*.particles') > before + 1)) && break
-    sleep 0.02
-  done
+  wait_until has_kept "$folder/interrupted/simulations" $((before + 2))
 }
 begin_long
 end_by_force $pid
@@ -170,34 +160,24 @@ grep -q "interrupted after 0 of 2 runs" "$folder/err" || fail "it did not say th
 grep -q "The same command goes on" "$folder/err" || fail "it did not say how to go on"
 [[ -s $folder/interrupted/report.html ]] || fail "it left no report"
 
-# refuse TEXT ARGUMENT...: bad input, told on stderr.
-refuse() {
-  local text=$1 code
-  shift
-  sweep "$@" -o "$folder/refused"
-  code=$?
-  ((code == 2)) || fail "sweep $* returned $code instead of 2"
-  grep -qF -- "$text" "$folder/err" || fail "sweep $* did not say \"$text\""
-  [[ ! -s $folder/out && ! -e $folder/refused ]] || fail "sweep $* did something"
-}
 file_with() { printf '%s\n' "$1" >"$folder/sweep.json"; }
-refuse "there is no such file" no_such_scene.json --set fluid.viscosity=1,2
-refuse "nothing varies" "${small[@]}"
-refuse '--set fluid.viscosty=1,2: fluid.viscosty: unknown key; did you mean "viscosity"?' \
+refuse "there is no such file" sweep no_such_scene.json --set fluid.viscosity=1,2
+refuse "nothing varies" sweep "${small[@]}"
+refuse '--set fluid.viscosty=1,2: fluid.viscosty: unknown key; did you mean "viscosity"?' sweep \
   scenes/small_dam_break.json --set fluid.viscosty=1,2
-refuse "-1 is out of range; accepted: 0 ... 10000 Pa·s" scenes/small_dam_break.json --set fluid.viscosity=1,-1
-refuse "two runs have the same values" scenes/small_dam_break.json --set fluid.viscosity=1,1.0
-refuse 'did you mean "front_m"' "${grid[@]}" --target fron_m=1
-refuse "flip: there is no such figure without a reference" "${small[@]}" --set fluid.viscosity=1,2 --target flip=0
-refuse "there is no such run" "${varied[@]}" --reference viscosity=3
-refuse "3 runs have these values" "${varied[@]}" --reference viscosity=2
-refuse "times: 9 is out of range" "${grid[@]}" --times 9
+refuse "-1 is out of range; accepted: 0 ... 10000 Pa·s" sweep scenes/small_dam_break.json --set fluid.viscosity=1,-1
+refuse "two runs have the same values" sweep scenes/small_dam_break.json --set fluid.viscosity=1,1.0
+refuse 'did you mean "front_m"' sweep "${grid[@]}" --target fron_m=1
+refuse "flip: there is no such figure without a reference" sweep "${small[@]}" --set fluid.viscosity=1,2 --target flip=0
+refuse "there is no such run" sweep "${varied[@]}" --reference viscosity=3
+refuse "3 runs have these values" sweep "${varied[@]}" --reference viscosity=2
+refuse "times: 9 is out of range" sweep "${grid[@]}" --times 9
 file_with '{"scene": "a.json", "gird": {}}'
-refuse 'sweep.json:1:21: gird: unknown key; did you mean "grid"?' "$folder/sweep.json"
+refuse 'sweep.json:1:21: gird: unknown key; did you mean "grid"?' sweep "$folder/sweep.json"
 cp scenes/small_dam_break.json "$folder/a.json"
 file_with '{"scene": "a.json",
   "grid": {"fluid.viscosity": [1, "thick"]}}'
-refuse 'sweep.json:2:35: grid.fluid.viscosity[1]: fluid.viscosity: expected a number' "$folder/sweep.json"
+refuse 'sweep.json:2:35: grid.fluid.viscosity[1]: fluid.viscosity: expected a number' sweep "$folder/sweep.json"
 file_with '{"scene": "a.json", "latin_hypercube": {"samples": 3, "ranges": {"solver.cfl": {"min": 0.3, "max": 0.2}}}}'
-refuse "latin_hypercube.ranges.solver.cfl.max: must be above min" "$folder/sweep.json"
+refuse "latin_hypercube.ranges.solver.cfl.max: must be above min" sweep "$folder/sweep.json"
 exit 0
