@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 
 #include "app/bench/bench.hpp"
 #include "app/bench/bench_measure.hpp"
@@ -60,10 +59,7 @@ void print_tables(const std::vector<BenchRow>& rows) {
 
 void write_results(const std::vector<BenchRow>& rows, const BenchOptions& options) {
   output::write_file(options.output / "bench.csv", csv_text(rows));
-  PlotDrawer draw;
-  output::write_file(options.output / "bench.html", report_html(rows, std::ref(draw)));
-  if (!draw.failure().empty())
-    fmt::print(stderr, "spindrift: {}; the report is without plots\n", draw.failure());
+  output::write_file(options.output / "bench.html", report_html(rows));
 }
 
 }  // namespace

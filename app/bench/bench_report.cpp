@@ -149,12 +149,12 @@ Plot plane_plot(const Rows& rows, bool largest) {
   return plot;
 }
 
-std::string report_html(const std::vector<BenchRow>& rows, const DrawPlot& draw) {
+std::string report_html(const std::vector<BenchRow>& rows) {
   std::vector<PageValues> sections;
   for (const BenchSection& section : sections_of(rows)) {
     std::vector<PageValues> plots;
     for (const Plot& plot : plots_of(section))
-      plots.push_back(draw(plot));
+      plots.push_back(plot_values(plot));
     sections.push_back(section_values(section, text_about(section.series)));
     sections.back().emplace("plots", std::move(plots));
   }

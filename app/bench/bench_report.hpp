@@ -15,6 +15,6 @@ namespace spindrift::app {
 Plot plane_plot(const std::vector<const BenchRow*>& rows, bool largest);
 
 /// The whole page, with a section for each of sections_of(rows).
-std::string report_html(const std::vector<BenchRow>& rows, const DrawPlot& draw);
+std::string report_html(const std::vector<BenchRow>& rows);
 
 }  // namespace spindrift::app

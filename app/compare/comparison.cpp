@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 
 #include "app/run/report.hpp"
 #include "render/output/atomic_file.hpp"
@@ -125,10 +124,7 @@ void remove_pictures(const std::filesystem::path& folder) {
 void write_comparison(const ComparisonReport& comparison, const std::filesystem::path& folder,
                       const std::string& name) {
   output::write_file(folder / (name + ".json"), comparison_json(comparison).dump(1) + "\n");
-  PlotDrawer draw;
-  output::write_file(folder / (name + ".html"), comparison_html(comparison, std::ref(draw)));
-  if (!draw.failure().empty())
-    fmt::print(stderr, "spindrift: {}; the report is without plots\n", draw.failure());
+  output::write_file(folder / (name + ".html"), comparison_html(comparison));
 }
 
 }  // namespace spindrift::app

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/pages/plot.hpp"
+#include "app/pages/page.hpp"
 #include "render/compare/metrics.hpp"
 
 namespace spindrift::app {
@@ -70,7 +70,7 @@ std::string comparison_text(const ComparisonReport& comparison);
 std::string broken_text(const ComparisonReport& comparison);
 
 /// The report as one HTML page that needs no other file to show its pictures and plots.
-std::string comparison_html(const ComparisonReport& comparison, const DrawPlot& draw);
+std::string comparison_html(const ComparisonReport& comparison);
 
 /// Removes the PNG files that an earlier comparison has left in a folder, if there is such a
 /// folder.

@@ -3,6 +3,7 @@
 
 #include "app/compare/comparison.hpp"
 #include "app/pages/compare_page.hpp"
+#include "app/pages/plot.hpp"
 #include "render/output/output.hpp"
 
 namespace spindrift::app {
@@ -97,10 +98,10 @@ ShownPair shown_pair(const Image& a, const Image& b, const std::vector<float>& f
   return {picture_url(a), picture_url(b), picture_url(compare::magma(flip, a.width, a.height))};
 }
 
-std::string comparison_html(const ComparisonReport& comparison, const DrawPlot& draw) {
+std::string comparison_html(const ComparisonReport& comparison) {
   std::vector<PageValues> plots, pairs, tables;
   if (comparison.frames && comparison.pairs.size() > 1)
-    plots.push_back(draw(flip_plot(comparison)));
+    plots.push_back(plot_values(flip_plot(comparison)));
   for (const ComparedPair& pair : comparison.pairs)
     if (pair.shown)
       pairs.push_back(pair_values(pair));

@@ -1,4 +1,3 @@
-"use strict";
 // Every figure to blink shows the other picture of its pair twice a second.
 let odd = false;
 function show() {

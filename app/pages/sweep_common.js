@@ -1,4 +1,3 @@
-"use strict";
 // What all parts of the page share: the data, the chosen run, the time, and small helpers.
 const data = JSON.parse(document.getElementById("data").textContent);
 const runs = data.runs;
@@ -23,22 +22,6 @@ function set_time(time) {
 
 const by_id = (id) => document.getElementById(id);
 
-/** An element with attributes and children; an attribute that is a function listens. */
-function element(tag, attributes = {}, ...children) {
-  return filled(document.createElement(tag), attributes, children);
-}
-function drawn(tag, attributes = {}, ...children) {
-  return filled(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
-}
-function filled(node, attributes, children) {
-  for (const [name, value] of Object.entries(attributes)) {
-    if (typeof value === "function") node.addEventListener(name, value);
-    else if (value !== undefined && value !== null) node.setAttribute(name, value);
-  }
-  node.append(...children);
-  return node;
-}
-
 const path_of = (...parts) =>
   parts.join("/").split("/").map(encodeURIComponent).join("/");
 const run_file = (run, file) => path_of("runs", run.name, file);
@@ -54,13 +37,6 @@ const key_title = (key) =>
 const value_text = (value) =>
   typeof value === "string" ? value : Array.isArray(value) ? value.map(value_text).join(" ") : JSON.stringify(value);
 
-function number_text(value) {
-  if (value === undefined || value === null) return "–";
-  if (Number.isInteger(value) && Math.abs(value) < 1e7) return value.toLocaleString("en");
-  const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return Number(value.toPrecision(3)).toExponential();
-  return String(Number(value.toPrecision(4)));
-}
 const is_percent = (name) => name.endsWith("compression");
 /** A figure with the unit that unit_of() tells. */
 const figure_text = (name, value) =>
@@ -71,7 +47,6 @@ const title_of = (name) =>
 
 // Runs with the same value of the first key have the same colour: each its own where they are few, else from blue for
 // the lowest through red to orange for the highest.
-const palette = ["#2f7fd1", "#e2702b", "#2e9e62", "#a05bc4", "#c8394b", "#8a7a1c", "#1b9aa8", "#7d7f87"];
 const first_value = (run) => JSON.stringify(run.values[data.keys[0]]);
 const color_values = [...new Set(runs.map(first_value))];
 const in_steps = color_values.length > 5 && color_values.every((value) => typeof JSON.parse(value) === "number");

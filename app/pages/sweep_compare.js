@@ -28,9 +28,7 @@ function show_pair() {
 function difference_curve(found) {
   const rate = pair.left.frames_per_second;
   const points = found.frames.map((f) => [f.frame / rate, f.flip]);
-  return line_chart({
-    curves: [{points, color: palette[0], title: ""}], x: "time (s)", y: "mean FLIP", height: 170, cursor: true,
-  });
+  return draw_over_time([{points, color: palette[0]}], "mean FLIP", 170).svg;
 }
 
 function show_difference() {

@@ -1,54 +1,9 @@
-// Plots as SVG: axes, the runs' speed against their error, curves over time.
-const plot_width = 640;
+// The plots of a sweep: the runs' speed against their error, and curves over time.
 
-/** Round numbers within a range; powers of ten where it is logarithmic. */
-function ticks_of({low, high, logarithmic}) {
-  const ticks = [];
-  if (logarithmic) {
-    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power)
-      for (const digit of high / low > 300 ? [1] : [1, 2, 5]) {
-        const tick = digit * 10 ** power;
-        if (tick >= low * 0.999 && tick <= high * 1.001) ticks.push(tick);
-      }
-    return ticks;
-  }
-  const raw = (high - low) / 5;
-  const unit = 10 ** Math.floor(Math.log10(raw));
-  const step = unit * [1, 2, 5, 10].find((factor) => factor * unit >= raw);
-  for (let k = Math.ceil(low / step); k * step <= high * (1 + 1e-9); ++k) ticks.push(Number((k * step).toPrecision(12)));
-  return ticks;
-}
-
-/** A range that holds all values, with some air. */
-function range_of(values, may_be_logarithmic) {
-  let low = Math.min(...values), high = Math.max(...values);
-  const logarithmic = may_be_logarithmic && low > 0 && high / low > 20;
-  if (logarithmic) return {low: low / 1.3, high: high * 1.3, logarithmic};
-  if (low > 0 && low < 0.6 * high && may_be_logarithmic) low = 0;
-  const air = (high - low || Math.abs(high) || 1) * 0.07;
-  return {low: low === 0 ? 0 : low - air, high: high + air, logarithmic};
-}
-
-function scale_of({low, high, logarithmic}, from, to) {
-  const f = logarithmic ? Math.log : (v) => v;
-  return (value) => from + (to - from) * (f(value) - f(low)) / (f(high) - f(low));
-}
-
-/** Axes with their grid. Returns the picture and where values go in it. */
-function make_axes(x_range, y_range, x_title, y_title, height) {
-  const svg = drawn("svg", {viewBox: `0 0 ${plot_width} ${height}`, role: "img"});
-  const left = 70, bottom = height - 42, right = plot_width - 12, top = 12;
-  const x = scale_of(x_range, left, right), y = scale_of(y_range, bottom, top);
-  for (const tick of ticks_of(x_range))
-    svg.append(drawn("line", {class: "grid", x1: x(tick), x2: x(tick), y1: top, y2: bottom}),
-      drawn("text", {x: x(tick), y: bottom + 17, "text-anchor": "middle"}, number_text(tick)));
-  for (const tick of ticks_of(y_range))
-    svg.append(drawn("line", {class: "grid", x1: left, x2: right, y1: y(tick), y2: y(tick)}),
-      drawn("text", {x: left - 7, y: y(tick) + 4, "text-anchor": "end"}, number_text(tick)));
-  svg.append(drawn("path", {class: "axis", d: `M${left} ${top}V${bottom}H${right}`}),
-    drawn("text", {x: (left + right) / 2, y: height - 6, "text-anchor": "middle"}, x_title),
-    drawn("text", {transform: `translate(14 ${(top + bottom) / 2}) rotate(-90)`, "text-anchor": "middle"}, y_title));
-  return {svg, x, y, top, bottom, left, right};
+/** The range of figures: logarithmic where they are far apart, from zero on where they are not all close together. */
+function range_of_figures(values) {
+  const low = Math.min(...values), high = Math.max(...values);
+  return range_of(values, {logarithmic: low > 0 && high / low > 20, from_zero: low > 0 && low < 0.6 * high});
 }
 
 /** The points that no other is below in both. */
@@ -86,9 +41,9 @@ function draw_plot() {
     by_id("plot").replaceChildren(element("p", {class: "note"}, "No run has these figures."));
     return;
   }
-  const axes = make_axes(range_of(points.map((p) => p.x), true), range_of(points.map((p) => p.y), true),
-    title_of(x_name), title_of(y_name), 420);
-  const {svg, x, y} = axes;
+  const {svg, x, y} = draw_axes({
+    x_range: range_of_figures(points.map((p) => p.x)), y_range: range_of_figures(points.map((p) => p.y)),
+    x_label: title_of(x_name), y_label: title_of(y_name), height: 420});
   const front = pareto_front(points);
   const steps = front.map((p, i) => i === 0 ? `M${x(p.x)} ${y(p.y)}` : `H${x(p.x)}V${y(p.y)}`).join("");
   svg.append(drawn("path", {class: "front", d: steps}));
@@ -102,7 +57,7 @@ function draw_plot() {
       "aria-label": names.replaceAll("\n", " and "), "data-runs": names,
       click: () => choose_at(point),
       keydown: (event) => (event.key === "Enter" || event.key === " ") && (event.preventDefault(), choose_at(point)),
-    }, drawn("title", {}, `${names}\n${title_of(x_name)}: ${number_text(point.x)}\n${title_of(y_name)}: ${number_text(point.y)}`)));
+    }));
     if (point.runs.length > 1)
       svg.append(drawn("text", {class: "count", x: x(point.x), y: y(point.y) + 3.5}, point.runs.length));
     if (chosen) {
@@ -111,6 +66,8 @@ function draw_plot() {
         "text-anchor": to_left ? "end" : "start"}, state.chosen.name));
     }
   }
+  tell_values(svg, points.map((point) => ({x: x(point.x), y: y(point.y), text: () => [...point.runs.map((run) => run.name),
+    `${title_of(x_name)}: ${number_text(point.x)}`, `${title_of(y_name)}: ${number_text(point.y)}`]})));
   by_id("plot").replaceChildren(svg);
 }
 
@@ -126,54 +83,34 @@ function make_plot() {
   draw_plot();
 }
 
-/** Curves over time; `cursor` marks the clock's time. */
-function line_chart({curves, x: x_title, y: y_title, height, cursor}) {
-  const all = curves.flatMap((curve) => curve.points).filter((p) => p[1] !== null);
-  const axes = make_axes({low: 0, high: Math.max(0.01, ...all.map((p) => p[0]))},
-    range_of(all.length ? all.map((p) => p[1]) : [0, 1], false), x_title, y_title, height);
-  for (const curve of curves) {
-    let pen = "M";
-    const d = curve.points.map(([px, py]) => {
-      if (py === null) return (pen = "M", "");
-      const part = `${pen}${axes.x(px).toFixed(1)} ${axes.y(py).toFixed(1)}`;
-      pen = "L";
-      return part;
-    }).join("");
-    const line = drawn("path", {class: "curve", d: d || "M0 0", stroke: curve.color});
-    if (curve.title) line.append(drawn("title", {}, curve.title));
-    curve.drawn?.(line);
-    axes.svg.append(line);
-  }
-  if (cursor) {
-    const mark = drawn("line", {class: "cursor", y1: axes.top, y2: axes.bottom});
-    axes.svg.append(mark);
-    const move = () => {
-      const at = Math.min(axes.right, axes.x(state.time));
-      mark.setAttribute("x1", at);
-      mark.setAttribute("x2", at);
-    };
-    move();
-    axes.svg.move_cursor = move;
-  }
-  return axes.svg;
+/** Draws curves over time, with a line at the clock's time. Returns the picture and the groups that are its curves. */
+function draw_over_time(curves, y_label, height) {
+  const plot = {x_label: "time (s)", y_label, curves: curves.map((curve) => ({...curve, line: true}))};
+  const {svg, groups, x, top, bottom, right} = draw_curves(plot, height);
+  const cursor = drawn("line", {class: "cursor", y1: top, y2: bottom});
+  svg.append(cursor);
+  svg.move_cursor = () => {
+    const at = Math.min(right, x(state.time));
+    filled(cursor, {x1: at, x2: at});
+  };
+  svg.move_cursor();
+  return {svg, groups};
 }
 
 function draw_probes() {
   const name = by_id("probe").value;
-  const lines = [];
-  const curves = complete.filter((run) => run.curves?.[name]).map((run) => ({
-    points: run.curves.time_s.map((time, i) => [time, run.curves[name][i]]),
-    color: color_of(run), title: run.name, drawn: (line) => lines.push([run, line]),
-  }));
-  by_id("probes").replaceChildren(line_chart({curves, x: "time (s)", y: title_of(name), height: 420, cursor: true}));
-  const mark = () => {
+  const shown = complete.filter((run) => run.curves?.[name]);
+  const {svg, groups} = draw_over_time(shown.map((run) => ({title: run.name, color: color_of(run),
+    points: run.curves.time_s.map((time, i) => [time, run.curves[name][i]])})), title_of(name), 420);
+  by_id("probes").replaceChildren(svg);
+  const lines = shown.map((run, i) => [run, groups[i]]);
+  for (const [run, line] of lines) line.addEventListener("click", () => choose(run));
+  draw_probes.mark = () => {
     mark_chosen(lines);
     const chosen = lines.find(([run]) => run === state.chosen);
-    if (chosen) chosen[1].parentNode.append(chosen[1]);
+    if (chosen) svg.append(chosen[1]);
   };
-  for (const [run, line] of lines) line.addEventListener("click", () => choose(run));
-  draw_probes.mark = mark;
-  mark();
+  draw_probes.mark();
 }
 
 function make_probes() {

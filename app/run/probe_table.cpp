@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/pages/plot.hpp"
 #include "app/pages/probes_page.hpp"
 #include "app/scene/scene_fields.hpp"
 #include "app/tables/values.hpp"
@@ -50,7 +51,7 @@ Curve curve_of(const Readings& readings, std::size_t column, const std::string& 
 
 /// The plots of a probe whose first column is `first`.
 std::vector<PageValues> plots_of(const std::vector<sim::ProbeColumn>& columns, std::size_t first,
-                                 const Readings& readings, const DrawPlot& draw) {
+                                 const Readings& readings) {
   std::vector<Plot> plots;
   std::string_view unit;
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -63,11 +64,8 @@ std::vector<PageValues> plots_of(const std::vector<sim::ProbeColumn>& columns, s
     plots.back().curves.push_back(std::move(curve));
   }
   std::vector<PageValues> shown;
-  for (const Plot& plot : plots) {
-    const bool empty = std::all_of(plot.curves.begin(), plot.curves.end(),
-                                   [](const Curve& curve) { return curve.points.empty(); });
-    shown.push_back(empty ? missing_plot("There was nothing to measure.") : draw(plot));
-  }
+  for (const Plot& plot : plots)
+    shown.push_back(plot_values(plot));
   return shown;
 }
 
@@ -124,7 +122,7 @@ std::string probes_csv(const Scene& scene, const Readings& readings) {
   return text + "\n";
 }
 
-std::string probes_html(const Scene& scene, const Readings& readings, const DrawPlot& draw) {
+std::string probes_html(const Scene& scene, const Readings& readings) {
   std::vector<PageValues> probes;
   std::size_t first = 0;
   for (const sim::Probe& probe : scene.probes) {
@@ -136,7 +134,7 @@ std::string probes_html(const Scene& scene, const Readings& readings, const Draw
       quantity += " " + settings;
     probes.push_back({{"name", probe.name},
                       {"quantity", quantity},
-                      {"plots", plots_of(columns, first, readings, draw)}});
+                      {"plots", plots_of(columns, first, readings)}});
     first += columns.size();
   }
   return PageTemplate(probes_page).fill({{"scene", scene.name}, {"probes", probes}});

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/pages/plot.hpp"
 #include "app/scene/scene.hpp"
 
 namespace spindrift::app {
@@ -37,7 +36,6 @@ ProbeReading reading_between(const ProbeReading& before, const ProbeReading& aft
 std::string probes_csv(const Scene& scene, const std::vector<ProbeReading>& readings);
 
 /// A page with a plot over time of every probe, one for each unit.
-std::string probes_html(const Scene& scene, const std::vector<ProbeReading>& readings,
-                        const DrawPlot& draw);
+std::string probes_html(const Scene& scene, const std::vector<ProbeReading>& readings);
 
 }  // namespace spindrift::app

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <functional>
 #include <optional>
 
 #include "app/errors/errors.hpp"
@@ -268,11 +267,7 @@ void RunFolder::write_probes(const RunRecord& record) const {
       lines_of(output::read_file(table)) > lines_of(text))
     return;
   output::write_file(table, text);
-  PlotDrawer draw;
-  output::write_file(options_.output / "probes.html",
-                     probes_html(scene_, record.probe_readings, std::ref(draw)));
-  if (!draw.failure().empty())
-    fmt::print(stderr, "spindrift: {}; probes.html is without plots\n", draw.failure());
+  output::write_file(options_.output / "probes.html", probes_html(scene_, record.probe_readings));
 }
 
 /// Which frames the folder holds, in what form.

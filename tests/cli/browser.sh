@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # A browser without a display, for the scripts of this folder that source this: it is driven by WebDriver
 # (www.w3.org/TR/webdriver2). Brings common.sh with it.
 # shellcheck source=tests/cli/common.sh
@@ -47,7 +48,7 @@ expect() {
 start_browser() {
   chromedriver --port=0 >"$folder/driver.log" 2>&1 &
   driver=$!
-  wait_until grep -q "successfully on port" "$folder/driver.log" || fail "chromedriver did not start"
+  wait_until grep -qs "successfully on port" "$folder/driver.log" || fail "chromedriver did not start"
   port=$(sed -n 's/.*successfully on port \([0-9]*\).*/\1/p' "$folder/driver.log")
   sandbox=
   ((EUID == 0)) && sandbox=', "--no-sandbox"'

@@ -35,8 +35,10 @@ check_page() {
         if (!(node instanceof HTMLAnchorElement)) node.dispatchEvent(new MouseEvent(kind, {bubbles: true}))" >/dev/null
   sleep 0.3
   expect undefined "return String(window.hit)"
-  expect "" "return [...document.querySelectorAll('.plot, .scale, .pair img')].filter((i) => i.naturalWidth === 0)
+  expect "" "return [...document.querySelectorAll('.scale, .pair img')].filter((i) => i.naturalWidth === 0)
     .map((i) => i.src.slice(0, 40)).join(' ')"
+  expect "" "return [...document.querySelectorAll('.plot')].filter((plot) => !plot.querySelector('.curve path'))
+    .map((plot) => plot.textContent).join(' ')"
   expect "" "return [...document.querySelectorAll('*')].flatMap((node) => [...node.attributes])
     .filter((a) => a.name.startsWith('on') || a.value.startsWith('javascript:')).map((a) => a.name).join(' ')"
   expect "" "return [...document.querySelectorAll('a')].map((a) => a.protocol).filter((p) => p !== 'file:').join(' ')"
@@ -55,7 +57,7 @@ spindrift compare "$base/a" "$base/b" --show 20 --max-flip 0 --quiet -o "$base/c
 [[ $? == 1 ]] || fail "compare found no difference"
 check_page "$base/compared/compare.html" "${names[@]}" "$base/a" "$base/b"
 expect "${#names[@]} 5" "return [document.querySelectorAll('.pair').length,
-  document.querySelector('.pair').querySelectorAll('img').length + document.querySelectorAll('.plot').length].join(' ')"
+  document.querySelector('.pair').querySelectorAll('img').length + document.querySelectorAll('.plot > svg').length].join(' ')"
 # Where a link leads there is a file.
 expect "" "return [...document.querySelectorAll('a')].map((a) => decodeURIComponent(new URL(a.href).pathname))
   .filter((path) => !path.endsWith('.png') || !path.includes('/differences/')).join(' ')"
@@ -87,6 +89,18 @@ done
 spindrift bench "$base/"*.json --spacing 1 --tolerance 1 --time-step 1 --solver sph --quiet -o "$base/bench" ||
   fail "bench returned $?"
 check_page "$base/bench/bench.html" "${names[@]}"
+# What a plot is told to say: its labels, the titles of its curves, and all of these where the pointer is.
+for name in "${names[@]}"; do
+  text="atob('$(printf %s "$name" | base64 -w 0)')"
+  js "const curves = [{title: $text, line: true, points: [[0, 1], [1, 2]]}];
+    const {svg, x, y} = draw_curves({x_label: $text, y_label: $text, curves}, 420);
+    document.body.replaceChildren(legend_of(curves), svg, tip);
+    const at = new DOMPoint(x(1), y(2)).matrixTransform(svg.getScreenCTM());
+    svg.dispatchEvent(new PointerEvent('pointermove', {clientX: at.x, clientY: at.y}))" >/dev/null
+  expect "1 2 3" "return ['figcaption', 'svg:not(.swatch)', '.tip'].map((part) =>
+    document.querySelector(part).textContent.split($text).length - 1).join(' ')"
+done
+expect undefined "return String(window.hit)"
 
 # A sweep of a scene named as the place of the page's data, with values that are markup, one of which fails.
 spindrift sweep "$base/{{data}}.json" --quiet -o "$base/swept" --set 'name=

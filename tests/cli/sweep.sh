@@ -19,7 +19,7 @@ has_kept() { (($(count "$1" '*.particles') >= $2)); }
 
 # What does not depend on the machine's speed, as a list of checksums.
 checksums() {
-  (cd "$1" && find . -type f ! -name '.*' ! -name run.json ! -name simulation.json ! -name seconds.txt ! -name probes.html \
+  (cd "$1" && find . -type f ! -name '.*' ! -name run.json ! -name simulation.json ! -name seconds.txt \
     ! -name report.html ! -name sweep.csv ! -name sweep.json -exec sha256sum {} + | sort -k 2
     sed '/_seconds"/d' sweep.json | sha256sum)
 }

@@ -1,6 +1,4 @@
 // The engine of the HTML pages: what a value holds can be read on the page, and does nothing.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -10,11 +8,13 @@
 #include "app/pages/plot.hpp"
 #include "app/pages/probes_page.hpp"
 #include "app/pages/sweep_page.hpp"
+#include "page_support.hpp"
 
 namespace app_page_tests {
 
 using namespace spindrift::app;
 using Catch::Contains;
+using spindrift::test::plots_in;
 
 namespace {
 
@@ -136,30 +136,47 @@ TEST_CASE("the templates of all pages are taken") {
     CHECK_NOTHROW(PageTemplate(page));
 }
 
-TEST_CASE("a plot's texts are neither commands to gnuplot nor markup in its picture") {
-  const std::string text = "' ; system 'x'\nsystem 'touch hit'\n`touch hit` <script>@a &amp; {{a}}";
-  const Plot plot{
-      .x_label = text, .y_label = text, .curves = {{.title = text, .points = {{0, 1}, {1, 2}}}}};
-  const std::string script = gnuplot_script(plot);
-  for (std::size_t at = script.find("system"); at != std::string::npos;
-       at = script.find("system", at + 1))
-    CHECK(script[at - 1] != '\n');
-  CHECK_THAT(script, Contains("set xlabel ''' ; system ''x'' system ''touch hit'' `touch hit` "));
+TEST_CASE("a plot is data in its page, whatever its texts say") {
+  const std::string page =
+      "{{#plots}}<figure class=\"plot\"><script type=\"application/json\">{{plot}}</script>"
+      "</figure>{{/plots}}";
+  for (const std::string& text : hostile) {
+    INFO(text);
+    const Plot plot{.x_label = text,
+                    .y_label = text,
+                    .curves = {{.title = text, .points = {{0, 1}, {1, 2.5}}}}};
+    const std::string made = filled(page, {{"plots", std::vector{plot_values(plot)}}});
+    CHECK(std::count(made.begin(), made.end(), '<') == 4);
+    const auto plots = plots_in(made);
+    REQUIRE(plots.size() == 1);
+    CHECK(plots[0]["x_label"] == text);
+    CHECK(plots[0]["y_label"] == text);
+    CHECK(plots[0]["curves"][0]["title"] == text);
+    CHECK(plots[0]["curves"][0]["points"] == nlohmann::json{{0., 1.}, {1., 2.5}});
+  }
 }
 
-// Slow, so that it stays out of the sanitized runs: their checks need files of their own.
-TEST_CASE("that gnuplot can't be run is told with the reason, not as if it were missing",
-          "[slow]") {
-  const Plot plot{.curves = {{.points = {{0, 1}}}}};
-  rlimit before{};
-  REQUIRE(::getrlimit(RLIMIT_NOFILE, &before) == 0);
-  rlimit none = before;
-  none.rlim_cur = 0;
-  REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
-  PlotDrawer draw;
-  draw(plot);
-  REQUIRE(::setrlimit(RLIMIT_NOFILE, &before) == 0);
-  CHECK_THAT(draw.failure(), Contains("Too many open files") && !Contains("install"));
+TEST_CASE("a plot's data say how its axes and curves are drawn") {
+  const auto data = [](const Plot& plot) {
+    return nlohmann::json::parse(std::get<PageData>(plot_values(plot).at("plot").value).text);
+  };
+  const auto plain = data({.curves = {{}, {.points = {{0, 1}}}}});
+  CHECK((!plain["log_x"] && !plain["log_y"] && plain["y_from_zero"]));
+  REQUIRE(plain["curves"].size() == 1);  // without the one that has no points
+  const auto& line = plain["curves"][0];
+  CHECK((line["line"] && line["dashed"] && line["marker"] == "none" && line["color"] == 0));
+  const auto other = data({.log_x = true,
+                           .log_y = true,
+                           .y_from_zero = false,
+                           .curves = {{.points = {{1, 1}},
+                                       .color = 9,
+                                       .marker = Marker::square,
+                                       .filled = true,
+                                       .dashed = false}}});
+  CHECK((other["log_x"] && other["log_y"] && !other["y_from_zero"]));
+  const auto& points = other["curves"][0];
+  CHECK((!points["line"] && !points["dashed"] && points["filled"]));
+  CHECK((points["marker"] == "square" && points["color"] == 9));
 }
 
 }  // namespace app_page_tests
