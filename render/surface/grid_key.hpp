@@ -1,6 +1,7 @@
 // Encodes the cells of a sparse grid as sortable 64-bit keys, so that empty space costs no memory.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -29,7 +30,9 @@ struct KeyedIndex {
   std::uint32_t index;
 };
 
-/// Sorts by key, keeping the order of equal keys (least significant digit radix sort).
-void sort_by_key(std::vector<KeyedIndex>& items);
+/// Sorts by key, keeping the order of equal keys.
+inline void sort_by_key(std::vector<KeyedIndex>& items) {
+  std::ranges::stable_sort(items, {}, &KeyedIndex::key);
+}
 
 }  // namespace spindrift::surface
