@@ -1,57 +1,59 @@
 #!/usr/bin/env bash
-# What only a machine with a GPU can check: the device backend's tests on it, under compute-sanitizer
-# too, the benchmark's table for both backends, a golden frame, and a whole run, whose pictures
-# should be drawn by the same GPU. Prints a table of what passed.
-# usage: tests/gpu_check.sh [BUILD FOLDER, build/gpu if left out]
+# Checks the CUDA backend on this machine's GPU, or packs all that it takes for a machine that has a driver alone.
+# usage: tests/gpu_check.sh [BUILD FOLDER]             builds, and checks here; build/gpu if left out
+#        tests/gpu_check.sh --bundle DIR [BUILD FOLDER]  builds, and packs: DIR/check checks where DIR is copied to
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-build=${1:-build/gpu}
-logs=$build/gpu_check
-mkdir -p "$logs"
-
-if ! nvidia-smi --query-gpu=name,driver_version,memory.total --format=csv,noheader >"$logs/gpu.txt" 2>&1; then
-  echo "gpu_check: nvidia-smi finds no GPU on this machine; nothing was checked" >&2
-  exit 3
+bundle=
+if [[ ${1:-} == --bundle ]]; then
+  bundle=${2:?a folder for the bundle is missing}
+  shift 2
 fi
-cmake --preset release -B "$build" -DSPINDRIFT_CUDA=ON >"$logs/configure.txt"
-cmake --build "$build" --target spindrift test_gpu --parallel "$(nproc)" >"$logs/build.txt" ||
-  { tail -n 20 "$logs/build.txt" >&2; exit 3; }
+build=${1:-build/gpu}
+cmake --preset release -B "$build" -DSPINDRIFT_CUDA=ON >/dev/null
+cmake --build "$build" --target spindrift test_gpu --parallel "$(nproc)"
 
-failed=0
-rows=()
-# check NAME COMMAND...: runs it, keeps what it says, and notes how it ended.
-check() {
-  local name=$1 begin=$SECONDS result=passed
-  shift
-  "$@" >"$logs/$name.txt" 2>&1 || { result=FAILED; failed=1; }
-  rows+=("| $name | $result | $((SECONDS - begin)) s | $logs/$name.txt |")
-}
+if [[ -z $bundle ]]; then
+  exec tests/gpu/check.sh "$build/spindrift" "$build/tests/test_gpu" . "$build/gpu_check"
+fi
 
-sanitizer() { # TOOL TESTS...
-  compute-sanitizer --tool "$1" --error-exitcode 1 "$build/tests/test_gpu" "${@:2}"
-}
-
-bench() { # BACKEND
-  "$build/spindrift" bench --scaling --quick --set solver.backend="$1" -o "$logs/bench_$1"
-}
-
-check tests "$build/tests/test_gpu"
-check memcheck sanitizer memcheck
-# Shared memory is used by reductions and by sorts, sums and selections alone; a step has all of them.
-check racecheck sanitizer racecheck "a step on the device is the processor's"
-check bench_cpu bench cpu
-check bench_cuda bench cuda
-check golden_frame "$build/spindrift" golden check tests/golden/scenes.json --only dam_break \
-  --set solver.backend=cuda -o "$logs/golden"
-check render "$build/spindrift" render scenes/small_dam_break.json --backend cuda \
-  --set video.duration=0.5 -o "$logs/render"
-
-echo "GPU: $(cat "$logs/gpu.txt")"
-echo "drawn by: $(grep -o '"device": "[^"]*"' "$logs/render/run.json" || echo nothing)"
-echo "| check | result | time | log |"
-echo "|---|---|---|---|"
-printf '%s\n' "${rows[@]}"
-for backend in cpu cuda; do
-  echo "bench, $backend: $logs/bench_$backend/bench.csv"
+staging=$(mktemp -d)
+trap 'rm -rf "$staging"' EXIT
+mkdir -p "$staging"/{bin,lib,egl_vendor.d,tests/golden} "$bundle"
+cp "$build/spindrift" "$build/tests/test_gpu" "$staging/bin/"
+strip "$staging"/bin/*
+# All libraries but libc's own and the driver's. Our own are there for newer processors too, in folders whose names the
+# loader knows.
+for program in "$staging"/bin/*; do ldd "$program"; done | awk '$3 ~ /^\// { print $3 }' | sort -u |
+  grep -vE '/(ld-linux[^/]*|lib(c|m|dl|rt|pthread|resolv|util|anl|cuda|nvidia[^/]*|spindrift[^/]*))\.so[.0-9]*$' |
+  xargs cp -L -t "$staging/lib/"
+find "$build" -name 'libspindrift_*.so' | while read -r library; do
+  level=$(grep -o 'glibc-hwcaps/[^/]*' <<<"$library" || true)
+  mkdir -p "$staging/lib/$level"
+  cp "$library" "$staging/lib/$level/"
 done
-exit $failed
+find "$staging/lib" -name '*.so*' -exec strip --strip-unneeded {} +
+# Where to find the driver's EGL, should the machine not say so itself.
+echo '{"file_format_version": "1.0.0", "ICD": {"library_path": "libEGL_nvidia.so.0"}}' \
+  >"$staging/egl_vendor.d/10_nvidia.json"
+cp -r scenes "$staging/"
+cp -r tests/golden/. "$staging/tests/golden/"
+cp tests/gpu/check.sh "$staging/"
+tar -C "$staging" -c . | gzip -9 >"$bundle/parts.tar.gz"
+
+cat >"$bundle/check" <<'CHECK'
+#!/usr/bin/env bash
+# Unpacks the bundle beside itself, and checks the CUDA backend on this machine's GPU (--cpu: what needs none). Needs a
+# driver and libc, nothing else. The table for docs/gpu.md is left in logs/gpu.md.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+mkdir -p parts logs
+tar -xzf parts.tar.gz -C parts
+export LD_LIBRARY_PATH=$PWD/parts/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+export __EGL_VENDOR_LIBRARY_DIRS=/etc/glvnd/egl_vendor.d:/usr/share/glvnd/egl_vendor.d:$PWD/parts/egl_vendor.d
+exec parts/check.sh "$PWD/parts/bin/spindrift" "$PWD/parts/bin/test_gpu" "$PWD/parts" "$PWD/logs" "$@"
+CHECK
+chmod +x "$bundle/check"
+bytes=$(stat -c %s "$bundle/parts.tar.gz")
+echo "$bundle: $((bytes / 1000000)) MB; copy it to a machine with a GPU, and run check there"
+((bytes <= 60000000)) || { echo "gpu_check: the bundle is larger than 60 MB" >&2; exit 1; }
