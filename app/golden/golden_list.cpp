@@ -96,8 +96,6 @@ class Completion {
   }
 
   void check_frames() {
-    if (golden_->frames.empty())
-      return complain("frames", "empty; give the number of a frame at least");
     const int last = golden_->resolved.video.frame_count() - 1;
     std::sort(golden_->frames.begin(), golden_->frames.end());
     if (golden_->frames.back() > last)
@@ -123,8 +121,6 @@ GoldenList read_golden_list(const std::filesystem::path& file, const Overrides& 
   const SceneDocument document(scene_text(file), file.string());
   GoldenList list;
   read_document(document, list);
-  if (list.goldens.empty())
-    throw SceneError(document.problem("goldens", "empty; give a scene at least"));
   const std::filesystem::path folder = file.parent_path();
   Completion completion(document, folder, list);
   for (std::size_t k = 0; k < list.goldens.size(); ++k)

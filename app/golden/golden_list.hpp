@@ -17,7 +17,7 @@ namespace spindrift::app {
 struct Golden {
   std::string scene;                 ///< scene file, relative to the list's folder
   std::string name;                  ///< folder of its pictures; by default the scene file's stem
-  std::vector<int> frames;           ///< frame numbers, from 0
+  NonEmpty<int> frames;              ///< frame numbers, from 0
   Overrides set;                     ///< values to set in the scene
   std::optional<int> width, height;  ///< size of the pictures, pixels, even
   std::optional<double> max_flip, max_changed;  ///< largest accepted values, as in Limits
@@ -32,7 +32,7 @@ struct GoldenList {
   double max_changed = 0.005;             ///< largest accepted share of changed pixels of a frame
   int threshold = compare::default_threshold;  ///< a pixel has changed if a channel, 0 ... 255,
                                                ///< differs by more
-  std::vector<Golden> goldens;
+  NonEmpty<Golden> goldens;
 };
 
 template <>

@@ -233,6 +233,10 @@ std::string LocatedValue::path() const {
                                     : child_path(parent_->path(), shown(key_, longest_part));
 }
 
+std::string LocatedValue::place_and_path() const {
+  return fmt::format("{}: {}", document_->place(at_).text(), path());
+}
+
 Problem LocatedValue::problem(std::string message) const {
   return {document_->place(at_), path(), std::move(message)};
 }

@@ -70,6 +70,9 @@ class LocatedValue {
   /// The key path, such as fluid.volumes[0].velocity; empty for the root.
   std::string path() const;
 
+  /// Its place and its key path, as in "scene.json:3:14: fluid.viscosity".
+  std::string place_and_path() const;
+
   /// A problem with this value, at its place.
   Problem problem(std::string message) const;
 

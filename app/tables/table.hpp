@@ -3,11 +3,16 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "sim/geometry/keys.hpp"
 
@@ -42,11 +47,52 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
+/// The range of numbers of which each is accepted.
+inline constexpr Range any_number{-std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::infinity()};
+
+/// A member of an object whose keys a file chooses freely, as in {"fluid.viscosity": 0.1}. A list
+/// of these is such an object, with its members in the order of the file.
+template <class T>
+struct Keyed {
+  std::string key;
+  T value;
+  std::string place = {};  ///< where it was written, as in "sweep.json:3:5: set.fluid.viscosity"
+};
+
+/// A value and where it was written.
+template <class T>
+struct Placed {
+  T value;
+  std::string place;  ///< as in "sweep.json:3:5: grid.fluid.viscosity[0]"
+};
+
+/// A list that must not be empty in a file.
+template <class T>
+struct NonEmpty : std::vector<T> {
+  using std::vector<T>::vector;
+};
+
+/// Reports a problem with the value of one of a section's keys; with the section where it has no
+/// such key.
+using Complain = std::function<void(std::string_view key, std::string message)>;
+
+/// A section with values that must fit each other. Its check() reports those that do not. Values
+/// that could not be read have their defaults then.
+template <class T>
+concept Checked = requires(const T& section, const Complain& complain) {
+  section.check(complain);
+};
+
 /// For a section whose only field is a list, and into which the keys of a single entry may be
 /// written directly: the name of such an entry in messages, as "a still camera" for a list of
 /// camera keyframes. Empty for all other types.
 template <class T>
 inline constexpr std::string_view lone_entry_name{};
+/// The type of such an entry.
+template <Section T>
+using LoneEntry = typename std::remove_cvref_t<decltype(std::declval<T&>().*
+                                                        std::get<0>(table<T>).member)>::value_type;
 
 /// The names of an enumeration's values in files, in the order of the values, which count from 0.
 template <class E>
@@ -65,5 +111,24 @@ requires(requires { S::name; } && ...) inline constexpr std::array<
 /// A variant of which a file gives exactly one alternative, by its key.
 template <class V>
 concept Alternatives = !variant_name<V>.empty();
+
+/// The keys of a section in a file, those of its fields with empty keys included.
+template <Section T>
+std::vector<std::string_view> keys_of() {
+  std::vector<std::string_view> keys;
+  for_each_field<T>([&](const auto& field) {
+    using Value = std::remove_cvref_t<decltype(std::declval<T&>().*field.member)>;
+    if (!field.key.empty()) {
+      keys.push_back(field.key);
+    } else if constexpr (Section<Value>) {
+      const auto its_own = keys_of<Value>();
+      keys.insert(keys.end(), its_own.begin(), its_own.end());
+    } else {
+      const auto& names = alternative_names<Value>;
+      keys.insert(keys.end(), names.begin(), names.end());
+    }
+  });
+  return keys;
+}
 
 }  // namespace spindrift::app

@@ -1,5 +1,7 @@
 #include "app/tables/table_reader.hpp"
 
+#include <cmath>
+
 #include "app/errors/shown_text.hpp"
 #include "app/tables/frame_rate_text.hpp"
 
@@ -24,6 +26,8 @@ std::string found_text(const Json& json) {
 namespace {
 
 std::string range_text(const Range& range, std::string_view unit) {
+  if (std::isinf(range.max))
+    return "any";
   return fmt::format("{} ... {}{}{}", range.min, range.max, unit.empty() ? "" : " ", unit);
 }
 

@@ -42,30 +42,19 @@ class TableReader {
   void read(const LocatedValue& value, T& into, const Bounds& = {}) {
     if constexpr (!lone_entry_name<T>.empty())
       return read_list_or_entry(value, into);
-    std::vector<std::string_view> keys, meant;
-    list_keys<T>(keys);
-    if (check_keys(value, keys, meant))
-      read_fields(value, into, meant);
+    std::vector<std::string_view> meant;
+    if (!check_keys(value, keys_of<T>(), meant))
+      return;
+    read_fields(value, into, meant);
+    if constexpr (Checked<T>)
+      into.check([&](std::string_view key, std::string message) {
+        complain(value.find(key).value_or(value), std::move(message));
+      });
   }
 
  private:
   void complain(const LocatedValue& value, std::string message) {
     problems_.push_back(value.problem(std::move(message)));
-  }
-
-  template <class T>
-  static void list_keys(std::vector<std::string_view>& keys) {
-    for_each_field<T>([&](const auto& field) {
-      using Value = std::remove_cvref_t<decltype(std::declval<T&>().*field.member)>;
-      if (!field.key.empty()) {
-        keys.push_back(field.key);
-      } else if constexpr (Section<Value>) {
-        list_keys<Value>(keys);
-      } else {
-        const auto& names = alternative_names<Value>;
-        keys.insert(keys.end(), names.begin(), names.end());
-      }
-    });
   }
 
   /// Complains if the value is no object, or of each of its keys that is not among `keys`.
@@ -131,10 +120,8 @@ class TableReader {
   void read_list_or_entry(const LocatedValue& value, T& into) {
     const auto& field = std::get<0>(table<T>);
     auto& list = into.*field.member;
-    using Entry = typename std::remove_reference_t<decltype(list)>::value_type;
-    std::vector<std::string_view> keys, meant;
-    list_keys<T>(keys);
-    list_keys<Entry>(keys);
+    std::vector<std::string_view> keys = keys_of<T>(), of_entry = keys_of<LoneEntry<T>>(), meant;
+    keys.insert(keys.end(), of_entry.begin(), of_entry.end());
     if (!check_keys(value, keys, meant))
       return;
     const bool has_list = value.json().contains(field.key);
@@ -162,9 +149,38 @@ class TableReader {
   }
 
   template <class T>
+  void read(const LocatedValue& value, NonEmpty<T>& into, const Bounds& of_each) {
+    if (value.json().is_array() && !value.json().empty())
+      return read(value, static_cast<std::vector<T>&>(into), of_each);
+    complain(value, fmt::format("expected a list [...] of at least one entry, found {}",
+                                found_text(value.json())));
+  }
+
+  template <class T>
+  void read(const LocatedValue& value, std::vector<Keyed<T>>& into, const Bounds& of_each) {
+    if (!value.json().is_object())
+      return complain(
+          value, fmt::format("expected an object {{...}}, found {}", found_text(value.json())));
+    into.clear();
+    value.for_each_member([&](const std::string& key, const LocatedValue& member) {
+      into.push_back({key, {}, member.place_and_path()});
+      read(member, into.back().value, of_each);
+    });
+  }
+
+  template <class T>
+  void read(const LocatedValue& value, Placed<T>& into, const Bounds& bounds) {
+    into.place = value.place_and_path();
+    read(value, into.value, bounds);
+  }
+
+  template <class T>
   void read(const LocatedValue& value, std::optional<T>& into, const Bounds& bounds) {
     read(value, into.emplace(), bounds);
   }
+
+  /// Takes a value of any kind as it is.
+  void read(const LocatedValue& value, Json& into, const Bounds&) { into = value.json(); }
 
   /// Reads a name or a file's name; control characters, line ends among them, are refused.
   void read(const LocatedValue& value, std::string& into, const Bounds&);
