@@ -3,6 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/errors/errors.hpp"
 #include "app/sweep/sweep_file.hpp"
+#include "app/tables/values.hpp"
 
 namespace spindrift::app {
 

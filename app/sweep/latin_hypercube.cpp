@@ -1,10 +1,10 @@
+#include "app/sweep/latin_hypercube.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <random>
 #include <utility>
-
-#include "app/sweep/sweep_plan.hpp"
 
 namespace spindrift::app {
 namespace {
@@ -26,8 +26,9 @@ std::vector<int> shuffled(int count, std::mt19937& random) {
 
 /// Four digits, since it is to be read in the folder's name.
 Json value_at(const SampledRange& range, double part) {
-  double value = range.logarithmic ? range.min * std::pow(range.max / range.min, part)
-                                   : range.min + part * (range.max - range.min);
+  double value = range.scale == RangeScale::logarithmic
+                     ? range.min * std::pow(range.max / range.min, part)
+                     : range.min + part * (range.max - range.min);
   if (range.whole)
     return static_cast<long>(std::floor(range.min + part * (range.max - range.min + 1)));
   value = std::stod(fmt::format("{:.4g}", value));
@@ -36,14 +37,27 @@ Json value_at(const SampledRange& range, double part) {
 
 }  // namespace
 
-SweepAxis latin_hypercube(const std::vector<SampledRange>& ranges, int samples, unsigned seed) {
-  std::mt19937 random(seed);
-  SweepAxis axis(static_cast<std::size_t>(samples));
-  for (const SampledRange& range : ranges) {
-    const std::vector<int> parts = shuffled(samples, random);
-    for (std::size_t i = 0; i < axis.size(); ++i)
-      axis[i].push_back(
-          {range.key, value_at(range, (parts[i] + fraction(random)) / samples), range.place});
+void SampledRange::check(const Complain& complain) const {
+  constexpr double most = 1'000'000;  // of whole numbers
+  if (min >= max)
+    complain("max", "must be above min");
+  for (const auto& [key, end] : {std::pair("min", min), std::pair("max", max)})
+    if (whole && (std::floor(end) < end || std::abs(end) > most))
+      complain(key, fmt::format("{} is out of range; accepted: whole numbers, {} ... {}", end,
+                                -most, most));
+  if (scale == RangeScale::logarithmic && (min <= 0 || whole))
+    complain("scale", "logarithmic needs a min above 0, and numbers that need not be whole");
+}
+
+SweepAxis samples_of(const LatinHypercube& hypercube) {
+  std::mt19937 random(static_cast<unsigned>(hypercube.seed));
+  SweepAxis axis(static_cast<std::size_t>(hypercube.samples));
+  for (const auto& [key, range, place] : hypercube.ranges) {
+    const std::vector<int> parts = shuffled(hypercube.samples, random);
+    for (std::size_t i = 0; i < axis.size(); ++i) {
+      const double part = (parts[i] + fraction(random)) / hypercube.samples;
+      axis[i].push_back({key, value_at(range, part), place});
+    }
   }
   return axis;
 }

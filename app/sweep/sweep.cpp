@@ -61,8 +61,8 @@ void print_runs(const SweepPlan& plan, const std::vector<SweepResult>& results) 
   if (plan.reference)
     columns.emplace_back("flip");
   for (const SweepTarget& target : plan.targets)
-    if (std::find(columns.begin(), columns.end(), target.metric) == columns.end())
-      columns.push_back(target.metric);
+    if (std::find(columns.begin(), columns.end(), target.key) == columns.end())
+      columns.push_back(target.key);
   fmt::print("{:<{}}", "run", width);
   for (const std::string& column : columns)
     fmt::print("  {:>12}", column);

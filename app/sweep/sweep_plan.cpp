@@ -279,7 +279,7 @@ SweepTarget parse_sweep_target(const std::string& text) {
       !std::isfinite(value))
     throw SceneError(
         fmt::format("--target {}: expected METRIC=NUMBER, as in --target steps=300", text));
-  return {text.substr(0, equals), value};
+  return {text.substr(0, equals), value, fmt::format("--target {}", text)};
 }
 
 SweepPlan plan_sweep(const SweepRequest& request) {

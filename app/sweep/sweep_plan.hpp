@@ -8,25 +8,19 @@
 
 #include "app/scene/scene.hpp"
 #include "app/tables/document.hpp"
+#include "app/tables/table.hpp"
 
 namespace spindrift::app {
 
 /// A scene's key, such as fluid.viscosity, and what it is to be.
-struct SweepValue {
-  std::string key;
-  Json value;
-  std::string place;  ///< where it was written, for messages
-};
+using SweepValue = Keyed<Json>;
 using SweepValues = std::vector<SweepValue>;
 
 /// Alternatives, of which each run takes one: the values of one key, or rows of several keys.
 using SweepAxis = std::vector<SweepValues>;
 
-/// A figure of a run that is to come close to a value.
-struct SweepTarget {
-  std::string metric;
-  double value = 0;
-};
+/// A figure of a run, by the name of its metric, and the value that it is to come close to.
+using SweepTarget = Keyed<double>;
 
 /// What is asked for on the command line or in a sweep file.
 struct SweepRequest {
@@ -59,19 +53,6 @@ SweepAxis parse_sweep_axis(const std::string& assignment);
 
 /// `METRIC=VALUE`. @throws SceneError
 SweepTarget parse_sweep_target(const std::string& text);
-
-/// `count` values of one key within a range, one in each of `count` equal parts of it.
-struct SampledRange {
-  std::string key;
-  double min = 0, max = 0;
-  bool logarithmic = false;  ///< the parts are equal in the logarithm
-  bool whole = false;        ///< whole numbers only
-  std::string place = {};    ///< for messages
-};
-
-/// A Latin hypercube (McKay, Beckman, Conover 1979): of every key, each part of its range is met
-/// once. The same seed gives the same samples everywhere.
-SweepAxis latin_hypercube(const std::vector<SampledRange>& ranges, int samples, unsigned seed);
 
 /// All runs, each read and checked. @throws SceneError for what can't be run, with its place
 SweepPlan plan_sweep(const SweepRequest& request);

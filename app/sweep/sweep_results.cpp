@@ -131,7 +131,7 @@ void read_run(const SweepRun& run, const SweepFolder& folder, SweepResult& resul
 std::optional<double> distance_of(const SweepPlan& plan, const SweepResult& result) {
   double sum = 0;
   for (const SweepTarget& target : plan.targets) {
-    const auto found = result.figures.find(target.metric);
+    const auto found = result.figures.find(target.key);
     if (found == result.figures.end())
       return std::nullopt;
     const double scale = target.value == 0 ? 1 : std::abs(target.value);
@@ -199,10 +199,10 @@ void check_targets(const SweepPlan& plan) {
   for (const SweepMetric& metric : metrics)
     names.push_back(metric.name);
   for (const SweepTarget& target : plan.targets)
-    if (std::find(names.begin(), names.end(), target.metric) == names.end())
-      throw SceneError(fmt::format("target {}: there is no such figure{}; {}", target.metric,
-                                   target.metric == "flip" ? " without a reference" : "",
-                                   suggestion(target.metric, names)));
+    if (std::find(names.begin(), names.end(), target.key) == names.end())
+      throw SceneError(fmt::format("{}: there is no such figure{}; {}", target.place,
+                                   target.key == "flip" ? " without a reference" : "",
+                                   suggestion(target.key, names)));
 }
 
 std::vector<SweepResult> read_results(const SweepPlan& plan, const SweepFolder& folder,
@@ -260,7 +260,7 @@ Json results_json(const SweepPlan& plan, const SweepFolder& folder,
   for (const SweepMetric& m : all)
     metrics.push_back({{"name", m.name}, {"title", m.title}, {"unit", m.unit}});
   for (const SweepTarget& target : plan.targets)
-    targets[target.metric] = target.value;
+    targets[target.key] = target.value;
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const SweepRun& run = plan.runs[i];
     Json values = Json::object(), figures = Json::object();

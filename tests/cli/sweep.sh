@@ -168,7 +168,7 @@ refuse '--set fluid.viscosty=1,2: fluid.viscosty: unknown key; did you mean "vis
 refuse "-1 is out of range; accepted: 0 ... 10000 Pa·s" sweep scenes/small_dam_break.json --set fluid.viscosity=1,-1
 refuse "two runs have the same values" sweep scenes/small_dam_break.json --set fluid.viscosity=1,1.0
 refuse 'did you mean "front_m"' sweep "${grid[@]}" --target fron_m=1
-refuse "flip: there is no such figure without a reference" sweep "${small[@]}" --set fluid.viscosity=1,2 --target flip=0
+refuse "--target flip=0: there is no such figure without a reference" sweep "${small[@]}" --set fluid.viscosity=1,2 --target flip=0
 refuse "there is no such run" sweep "${varied[@]}" --reference viscosity=3
 refuse "3 runs have these values" sweep "${varied[@]}" --reference viscosity=2
 refuse "times: 9 is out of range" sweep "${grid[@]}" --times 9

@@ -15,6 +15,7 @@
 #include "app/sweep/sweep_plan.hpp"
 #include "app/sweep/sweep_results.hpp"
 #include "app/system/task_pool.hpp"
+#include "app/tables/values.hpp"
 #include "output_support.hpp"
 
 namespace app_sweep_tests {
@@ -122,11 +123,15 @@ TEST_CASE("the reference is found by its name or by values that it alone has") {
 }
 
 TEST_CASE("a Latin hypercube meets each part of each range once, and a seed gives one hypercube") {
-  const std::vector<SampledRange> ranges{{.key = "a", .min = 0, .max = 1},
-                                         {.key = "b", .min = 1e-4, .max = 1, .logarithmic = true},
-                                         {.key = "c", .min = 1, .max = 20, .whole = true}};
   const int n = 20;
-  const SweepAxis axis = latin_hypercube(ranges, n, 7);
+  const auto samples = [&](int seed) {
+    return samples_of({.samples = n,
+                       .seed = seed,
+                       .ranges = {{"a", {.min = 0, .max = 1}},
+                                  {"b", {.min = 1e-4, .max = 1, .scale = RangeScale::logarithmic}},
+                                  {"c", {.min = 1, .max = 20, .whole = true}}}});
+  };
+  const SweepAxis axis = samples(7);
   std::set<int> a, b, c;
   for (const SweepValues& row : axis) {
     a.insert(std::min(n - 1, static_cast<int>(row[0].value.get<double>() * n)));
@@ -140,9 +145,9 @@ TEST_CASE("a Latin hypercube meets each part of each range once, and a seed give
   CHECK(c.size() == n);
   CHECK(*c.begin() == 1);
   CHECK(*c.rbegin() == 20);
-  const auto values = [&](unsigned seed) {
+  const auto values = [&](int seed) {
     std::string text;
-    for (const SweepValues& row : latin_hypercube(ranges, n, seed))
+    for (const SweepValues& row : samples(seed))
       for (const SweepValue& v : row)
         text += v.value.dump() + " ";
     return text;
@@ -166,7 +171,7 @@ TEST_CASE("a sweep file says what varies; grid, list and hypercube are combined"
   for (const SweepAxis& axis : request->axes)
     sizes.push_back(axis.size());
   CHECK(sizes == std::vector<std::size_t>{1, 2, 3, 4});
-  CHECK(request->targets.front().metric == "steps");
+  CHECK(request->targets.front().key == "steps");
   CHECK(request->times == std::vector<double>{0.1, 0.5});
 }
 
@@ -188,11 +193,73 @@ TEST_CASE("a wrong sweep file is refused with the place and what is accepted") {
           "sweep.json:1:25: grid.fluid.viscosity: expected a list [...]");
   refused(R"({"scene": "a", "list": [3]})", "list[0]: expected an object");
   refused(R"({"scene": "a", "latin_hypercube": {"samples": 1.5, "ranges": {}}})",
-          "latin_hypercube.samples: 1.5 is out of range; accepted: whole numbers, 2 ... 10000");
+          "latin_hypercube.samples: 1.5 is out of range; accepted: 2 ... 10000");
+  refused(R"({"scene": "a", "latin_hypercube": {"samples": 2.5, "ranges": {}}})",
+          "latin_hypercube.samples: 2.5 is not a whole number; accepted: 2 ... 10000");
+  refused(R"({"scene": "a", "latin_hypercube": {"sample": 3}})",
+          "latin_hypercube: \"ranges\" is missing (ranges of values, by key of the scene)");
   refused(
       R"({"scene": "a", "latin_hypercube": {"samples": 3, "ranges": {"a": {"min": 1, "max": 2, "scale": "log"}}}})",
       "unknown value \"log\"; accepted: linear, logarithmic");
   refused(R"({"scene": "a", "times": ["now"]})", "times[0]: expected a number");
+  refused(R"({"scene": "a", "times": []})", "times: expected a list [...] of at least one entry");
+  refused(R"({"scene": "a", "list": []})", "list: expected a list [...] of at least one entry");
+  refused(R"({"scene": "a", "grid": {"b": [1], "a": []}})",
+          "sweep.json:1:35: grid.a: expected a list [...] of at least one entry");
+  refused(R"({"scene": "a", "set": [1]})", "set: expected an object {...}, found the list [1]");
+  refused(R"({"scene": "a", "targets": {"steps": "few"}})",
+          "sweep.json:1:28: targets.steps: expected a number (any), found \"few\"");
+  refused(R"({"set": {"a": 1}})", "\"scene\" is missing (the scene file, its path");
+}
+
+TEST_CASE("a range whose ends, scale and kind of numbers do not fit each other is refused") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& range, const std::string& message) {
+    CHECK_THROWS_WITH(
+        read_text(folder, R"({"scene": "a", "latin_hypercube": {"samples": 3, "ranges":
+{"a.b": )" + range + "}}}"),
+        Contains("sweep.json:2:" + message));
+  };
+  const std::string at = ": latin_hypercube.ranges.a.b.";
+  refused(R"({"min": 1, "max": 1})", "20" + at + "max: must be above min");
+  refused(R"({"min": 0.5, "max": 3, "whole": true})",
+          "10" + at + "min: 0.5 is out of range; accepted: whole numbers, -1000000 ... 1000000");
+  refused(R"({"min": 1, "max": 1000001, "whole": true})",
+          "20" + at + "max: 1000001 is out of range; accepted: whole numbers");
+  for (const char* range : {R"({"min": 0, "max": 1, "scale": "logarithmic"})",
+                            R"({"min": 1, "max": 2, "scale": "logarithmic", "whole": true})"})
+    refused(range, "30" + at + "scale: logarithmic needs a min above 0");
+  CHECK_THROWS_WITH(read_text(folder, R"({"scene": "a", "latin_hypercube": {"samples": 3, "ranges":
+{"a": {"min": "low", "max": -1, "whole": true}, "b": {"max": -1, "scale": "logarithmic"}}}})"),
+                    Contains("a.min: expected a number") && Contains("b: \"min\" is missing") &&
+                        !Contains("must be above") && !Contains("out of range") &&
+                        !Contains("logarithmic needs"));
+}
+
+TEST_CASE("values, ranges and targets of a sweep file are complained of where they stand in it") {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(small_scene, folder / "a.json");
+  const auto complaint = [&](const std::string& rest) -> std::string {
+    try {
+      check_targets(plan_sweep(*read_text(folder, R"({"scene": "a.json", )" + rest + "}")));
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(complaint(R"("grid": {"fluid.viscosity": [1,
+"thick"]})"),
+             Contains("sweep.json:2:1: grid.fluid.viscosity[1]: fluid.viscosity: expected"));
+  CHECK_THAT(complaint(R"("list": [{}, {"fluid.viscosity": "thick"}])"),
+             Contains("sweep.json:1:35: list[1].fluid.viscosity: fluid.viscosity: expected"));
+  CHECK_THAT(complaint(R"("set": {"solver.cfl": 7}, "grid": {"fluid.viscosity": [1, 2]})"),
+             Contains("sweep.json:1:29: set.solver.cfl: solver.cfl: 7 is out of range"));
+  CHECK_THAT(
+      complaint(
+          R"("latin_hypercube": {"samples": 2, "ranges": {"solver.cfl": {"min": 7, "max": 8}}})"),
+      Contains("sweep.json:1:66: latin_hypercube.ranges.solver.cfl: solver.cfl: 7"));
+  CHECK_THAT(complaint(R"("grid": {"fluid.viscosity": [1, 2]}, "targets": {"stepps": 3})"),
+             Contains("sweep.json:1:70: targets.stepps: there is no such figure; did you mean"));
 }
 
 TEST_CASE("all that is wrong with a sweep is told at once, what several runs share once") {

@@ -1,10 +1,11 @@
-// The tables of scene files leave no setting out. Values of any kind, and objects whose keys a file
-// chooses, are read and described by tables as well.
+// The tables of scene and sweep files leave no setting out. Values of any kind, and objects whose
+// keys a file chooses, are read and described by tables as well.
 #include <catch2/catch.hpp>
 #include <tuple>
 #include <utility>
 
 #include "app/scene/scene_fields.hpp"
+#include "app/sweep/sweep_file.hpp"
 #include "app/tables/schema.hpp"
 #include "app/tables/table_reader.hpp"
 
@@ -108,6 +109,9 @@ TEST_CASE("every member of every settings struct has its key") {
   STATIC_REQUIRE(complete<gl::LightSettings>);
   STATIC_REQUIRE(complete<gl::LookSettings>);
   STATIC_REQUIRE(complete<VideoConfig>);
+  STATIC_REQUIRE(complete<SweepFile>);
+  STATIC_REQUIRE(complete<LatinHypercube>);
+  STATIC_REQUIRE(complete<SampledRange>);
 }
 
 TEST_CASE("objects with keys of a file's own choice are read in their order, with places") {
