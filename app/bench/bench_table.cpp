@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "app/files/csv.hpp"
 #include "app/scene/scene_fields.hpp"
 #include "app/tables/values.hpp"
 
@@ -84,19 +85,11 @@ constexpr Column columns[] = {
     {"failure", [](const Row& r) { return Json(r.result.failure); }},
 };
 
-/// A value as a CSV field: quoted where it has to be.
-std::string csv_field(const Json& value) {
+/// A value as a cell of bench.csv.
+std::string cell_of(const Json& value) {
   if (value.is_null())
     return "";
-  if (!value.is_string())
-    return value.dump();
-  const auto text = value.get<std::string>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string doubled;
-  for (const char c : text)
-    doubled.append(c == '"' ? 2 : 1, c);
-  return fmt::format("\"{}\"", doubled);
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 // The columns that are shown to people follow.
@@ -239,17 +232,17 @@ void mark_fronts(std::vector<BenchRow>& rows) {
 }
 
 std::string csv_text(const std::vector<BenchRow>& rows) {
-  std::string text;
+  std::vector<std::string> cells;
   for (const Column& column : columns)
-    text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+    cells.emplace_back(column.name);
+  std::string text = csv_row(cells);
   for (const BenchRow& row : rows) {
-    char before = '\n';
-    for (const Column& column : columns) {
-      text += std::exchange(before, ',');
-      text += csv_field(column.value(row));
-    }
+    cells.clear();
+    for (const Column& column : columns)
+      cells.push_back(cell_of(column.value(row)));
+    text += csv_row(cells);
   }
-  return text + "\n";
+  return text;
 }
 
 nlohmann::ordered_json rows_json(const std::vector<BenchRow>& rows) {

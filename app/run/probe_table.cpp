@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/csv.hpp"
 #include "app/pages/plot.hpp"
 #include "app/pages/probes_page.hpp"
 #include "app/scene/scene_fields.hpp"
@@ -110,16 +111,18 @@ ProbeReading reading_between(const ProbeReading& before, const ProbeReading& aft
 }
 
 std::string probes_csv(const Scene& scene, const Readings& readings) {
-  std::string text = "time_s";
+  std::vector<std::string> cells{"time_s"};
   for (const sim::Probe& probe : scene.probes)
     for (const sim::ProbeColumn& column : sim::probe_columns(probe))
-      text += fmt::format(",{}_{}", column.name, column.unit);
+      cells.push_back(fmt::format("{}_{}", column.name, column.unit));
+  std::string text = csv_row(cells);
   for (const ProbeReading& reading : readings) {
-    text += fmt::format("\n{:.9g}", reading.time);
+    cells = {fmt::format("{:.9g}", reading.time)};
     for (const double value : reading.values)
-      text += std::isnan(value) ? "," : fmt::format(",{:.7g}", value);
+      cells.push_back(std::isnan(value) ? "" : fmt::format("{:.7g}", value));
+    text += csv_row(cells);
   }
-  return text + "\n";
+  return text;
 }
 
 std::string probes_html(const Scene& scene, const Readings& readings) {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "app/errors/nearest_name.hpp"
+#include "app/files/csv.hpp"
 #include "app/run/report.hpp"
 #include "render/output/input_file.hpp"
 
@@ -39,31 +39,16 @@ const std::vector<RunFigure>& run_figures() {
   return figures;
 }
 
-/// NaN where a cell is empty, or no number.
-double cell_value(const std::string& cell) {
-  double value = std::nan("");
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc() && end == cell.data() + cell.size() ? value : std::nan("");
-}
-
-/// probes.csv by its columns; none where there is no such file.
-std::vector<std::pair<std::string, std::vector<double>>> read_columns(const fs::path& file) {
-  std::vector<std::pair<std::string, std::vector<double>>> columns;
-  std::istringstream stream(fs::is_regular_file(file) ? output::read_file(file) : std::string());
-  for (std::string line; std::getline(stream, line);) {
-    std::size_t column = 0, begin = 0;
-    const bool header = columns.empty();
-    while (begin <= line.size()) {
-      const std::size_t end = std::min(line.find(',', begin), line.size());
-      const std::string cell = line.substr(begin, end - begin);
-      if (header)
-        columns.push_back({cell, {}});
-      else if (column < columns.size())
-        columns[column++].second.push_back(cell_value(cell));
-      begin = end + 1;
-    }
+/// The numbers of a column; NaN where a cell is empty, or no number.
+std::vector<double> numbers_in(const std::vector<std::string>& cells) {
+  std::vector<double> numbers;
+  for (const std::string& cell : cells) {
+    double& number = numbers.emplace_back(std::nan(""));
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    if (error != std::errc() || end != cell.data() + cell.size())
+      number = std::nan("");
   }
-  return columns;
+  return numbers;
 }
 
 ProbeSummary summary_of(const std::vector<double>& values) {
@@ -91,9 +76,12 @@ Json thinned(const std::vector<double>& values) {
   return list;
 }
 
+/// Takes what probes.csv has, where there is one.
 void read_probe_figures(const fs::path& file, SweepResult& result) {
-  const auto columns = read_columns(file);
-  for (const auto& [name, values] : columns) {
+  if (!fs::is_regular_file(file))
+    return;
+  for (const auto& [name, cells] : csv_columns(output::read_file(file))) {
+    const std::vector<double> values = numbers_in(cells);
     result.curves[name] = thinned(values);
     const ProbeSummary s = summary_of(values);
     if (name == "time_s" || std::isnan(s.last))
@@ -138,15 +126,6 @@ std::optional<double> distance_of(const SweepPlan& plan, const SweepResult& resu
     sum += std::pow((found->second - target.value) / scale, 2);
   }
   return std::sqrt(sum / static_cast<double>(plan.targets.size()));
-}
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos)
-    return text;
-  std::string quoted;
-  for (const char c : text)
-    quoted.append(c == '"' ? 2 : 1, c);
-  return fmt::format("\"{}\"", quoted);
 }
 
 Json comparisons_json(const SweepPlan& plan, const SweepFolder& folder,
@@ -298,26 +277,29 @@ Json results_json(const SweepPlan& plan, const SweepFolder& folder,
 
 std::string results_csv(const SweepPlan& plan, const std::vector<SweepResult>& results) {
   const std::vector<SweepMetric> metrics = metrics_of(plan);
-  std::string text = "run";
-  for (const std::string& key : plan.keys)
-    text += fmt::format(",{}", csv_cell(key));
+  std::vector<std::string> cells{"run"};
+  cells.insert(cells.end(), plan.keys.begin(), plan.keys.end());
   for (const SweepMetric& m : metrics)
-    text += fmt::format(",{}", csv_cell(m.name));
-  text += plan.targets.empty() ? ",failure\n" : ",distance,failure\n";
+    cells.push_back(m.name);
+  if (!plan.targets.empty())
+    cells.emplace_back("distance");
+  cells.emplace_back("failure");
+  std::string text = csv_row(cells);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    text += csv_cell(plan.runs[i].name);
+    const SweepResult& result = results[i];
+    cells = {plan.runs[i].name};
     for (const std::string& key : plan.keys) {
       const Json value = value_of(plan.runs[i], key);
-      text +=
-          fmt::format(",{}", csv_cell(value.is_string() ? value.get<std::string>() : value.dump()));
+      cells.push_back(value.is_string() ? value.get<std::string>() : value.dump());
     }
     for (const SweepMetric& m : metrics) {
-      const auto found = results[i].figures.find(m.name);
-      text += found == results[i].figures.end() ? "," : fmt::format(",{:.9g}", found->second);
+      const auto found = result.figures.find(m.name);
+      cells.push_back(found == result.figures.end() ? "" : fmt::format("{:.9g}", found->second));
     }
     if (!plan.targets.empty())
-      text += results[i].distance ? fmt::format(",{:.6g}", *results[i].distance) : ",";
-    text += fmt::format(",{}\n", csv_cell(results[i].failure));
+      cells.push_back(result.distance ? fmt::format("{:.6g}", *result.distance) : "");
+    cells.push_back(result.failure);
+    text += csv_row(cells);
   }
   return text;
 }
