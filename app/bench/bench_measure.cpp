@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -11,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <new>
@@ -22,6 +20,7 @@
 #include "app/checks/estimate.hpp"
 #include "app/errors/errors.hpp"
 #include "app/run/render.hpp"
+#include "app/system/machine_limits.hpp"
 #include "app/system/process.hpp"
 #include "app/system/threads.hpp"
 #include "sim/run/simulation.hpp"
@@ -49,26 +48,6 @@ class TimeLimit {
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
 };
-
-/// The bytes that a line such as "VmHWM:     1964 kB" of a file of /proc states; 0 where there is
-/// no such line.
-double kilobyte_line(const char* file, std::string_view name) {
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);)
-    if (line.starts_with(name))
-      return 1024. * std::strtod(line.c_str() + name.size(), nullptr);
-  return 0;
-}
-
-/// The largest resident size, bytes, of this program alone. VmHWM comes first because the figure of
-/// getrusage() counts what ran before exec() as well.
-std::uint64_t peak_memory() {
-  if (const double peak = kilobyte_line("/proc/self/status", "VmHWM:"); peak > 0)
-    return static_cast<std::uint64_t>(peak);
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
-}
 
 void require_finite(const sim::FrameStatistics& s) {
   for (const double value :
@@ -142,11 +121,10 @@ BenchRun run_from_json(const nlohmann::ordered_json& json) {
 /// out of memory may end other programs.
 std::string lack_of_memory(const BenchRun& run) {
   const double needed = estimate(run.scene, run.threads).bytes;
-  const double free = kilobyte_line("/proc/meminfo", "MemAvailable:");
-  return free > 0 && needed > 0.9 * free
-             ? fmt::format("needs about {:.1f} GB of memory, {:.1f} GB are free", needed / 1e9,
-                           free / 1e9)
-             : std::string();
+  const auto free = static_cast<double>(free_memory());
+  return needed > free ? fmt::format("needs about {} of memory, {} are free", bytes_text(needed),
+                                     bytes_text(free))
+                       : std::string();
 }
 
 }  // namespace

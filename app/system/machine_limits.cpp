@@ -7,20 +7,21 @@
 #include <algorithm>
 #include <fstream>
 #include <new>
+#include <optional>
 
 namespace spindrift::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The bytes that a line of /proc/meminfo such as "MemTotal:     16384 kB" states; UINT64_MAX where
+/// The bytes that a line such as "MemTotal:     16384 kB" of a file of /proc states; nothing where
 /// there is no such line.
-std::uint64_t memory_line(std::string_view name) {
-  std::ifstream stream("/proc/meminfo");
+std::optional<std::uint64_t> kilobyte_line(const char* file, std::string_view name) {
+  std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);)
     if (line.starts_with(name))
       return std::stoull(line.substr(name.size())) * 1024;
-  return UINT64_MAX;
+  return std::nullopt;
 }
 
 /// The number of bytes that a file holds; UINT64_MAX where there is no file, or it holds a word.
@@ -49,11 +50,22 @@ std::uint64_t most_memory() {
   std::uint64_t limit = UINT64_MAX;
   if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
     limit = space.rlim_cur;
-  return std::min({limit, memory_line("MemTotal:"), control_group_limit()});
+  const std::uint64_t machine = kilobyte_line("/proc/meminfo", "MemTotal:").value_or(UINT64_MAX);
+  return std::min({limit, machine, control_group_limit()});
 }
 
 std::uint64_t free_memory() {
-  return std::min(memory_line("MemAvailable:"), most_memory()) / 10 * 9;
+  const std::uint64_t free = kilobyte_line("/proc/meminfo", "MemAvailable:").value_or(UINT64_MAX);
+  return std::min(free, most_memory()) / 10 * 9;
+}
+
+std::uint64_t peak_memory() {
+  // VmHWM comes first because the figure of getrusage() counts what ran before exec() as well.
+  if (const auto peak = kilobyte_line("/proc/self/status", "VmHWM:"))
+    return *peak;
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return 1024 * static_cast<std::uint64_t>(usage.ru_maxrss);
 }
 
 std::uint64_t free_disk(const fs::path& folder) {

@@ -1,4 +1,5 @@
-// The memory and disk space that the machine has, and errors that come from having too little.
+// The memory and disk space that the machine has and a process takes, and errors that come from
+// having too little.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,9 @@ std::uint64_t most_memory();
 
 /// Nine tenths of the memory that is free now, and of most_memory() where that is less, bytes.
 std::uint64_t free_memory();
+
+/// The largest resident size, bytes, that this program alone has had.
+std::uint64_t peak_memory();
 
 /// The free space, bytes, on the disk of a folder, which need not exist yet.
 std::uint64_t free_disk(const std::filesystem::path& folder);
