@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "app/checks/estimate.hpp"
 #include "app/errors/errors.hpp"
@@ -55,12 +54,6 @@ void require_room(const Scene& scene, const RenderOptions& options) {
   const Estimate cost = estimate(scene, std::max(1, options.threads));
   require_memory(cost.bytes, options);
   require_disk(scene, options, cost);
-  const unsigned processors = std::thread::hardware_concurrency();
-  if (processors > 0 && options.threads > static_cast<int>(processors) && !options.quiet)
-    fmt::print(stderr,
-               "spindrift: {} threads on {} processors wait for each other; this is slower than "
-               "--threads {}\n",
-               options.threads, processors, processors);
 }
 
 }  // namespace spindrift::app

@@ -8,7 +8,7 @@
 namespace spindrift::app {
 
 /// Refuses a run that can't fit into memory or on the disk, unless the options force it, and warns
-/// on stderr of a run that may not fit, or that has more threads than the machine has processors.
+/// on stderr of a run that may not fit.
 /// @throws InputError with the figures and what to do
 void require_room(const Scene& scene, const RenderOptions& options);
 
