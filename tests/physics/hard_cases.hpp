@@ -69,10 +69,9 @@ struct Allowed {
 inline void check(const std::string& name, const sim::Settings& s, const Invariants& found,
                   const Allowed& allowed = {}) {
   const bool iterates = s.solver.type == sim::SolverType::pcisph;
-  const double largest =
-      allowed.compression_at_start ? found.last.max_compression : found.max_compression;
-  const double mean =
-      allowed.compression_at_start ? found.last.mean_compression : found.mean_compression;
+  const Compression& compression =
+      allowed.compression_at_start ? found.compression_at_end : found.compression;
+  const double largest = compression.largest, mean = compression.mean;
   const double energy = iterates ? allowed.energy : allowed.sph_energy;
   const double most = iterates ? 1.05 * s.solver.max_compression : allowed.sph_compression;
   const double most_mean = iterates ? 1.05 * s.solver.mean_compression : most;
@@ -90,6 +89,7 @@ inline void check(const std::string& name, const sim::Settings& s, const Invaria
   CHECK(found.outside <= beyond);
   CHECK(found.energy_made <= energy);
   CHECK(found.energy_off < 1e-4);
+  CHECK(found.density_off < 1e-5);
   CHECK(largest <= most);
   CHECK(mean <= most_mean);
 }

@@ -9,14 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "plain_densities.hpp"
 #include "sim/boundary/contact.hpp"
 #include "sim/boundary/obstacle_motion.hpp"
-#include "sim/boundary/walls.hpp"
 #include "sim/run/simulation.hpp"
 #include "sim/start/initial.hpp"
 #include "sim/step/time_step.hpp"
 
 namespace spindrift::test {
+
+/// By how much liquid is denser than at rest.
+struct Compression {
+  double mean = 0;     ///< of max(0, ρ/ρ₀ − 1) over the particles
+  double largest = 0;  ///< largest ρ/ρ₀ − 1, or 0
+};
 
 /// The worst figures of a run.
 struct Invariants {
@@ -31,9 +37,11 @@ struct Invariants {
   double energy_off =
       0;  ///< largest difference of the program's energies from those that positions
           ///< and velocities give, relative to what there was and was put in
-  double max_compression = 0;   ///< largest ρ/ρ₀ − 1
-  double mean_compression = 0;  ///< mean of max(0, ρ/ρ₀ − 1) in the worst frame
-  double max_speed = 0;         ///< m/s
+  Compression compression;         ///< recomputed from positions, each figure of its worst frame
+  Compression compression_at_end;  ///< of the last frame
+  double density_off = 0;  ///< largest difference of the program's densities and compressions from
+                           ///< those recomputed, relative to ρ₀
+  double max_speed = 0;    ///< m/s
   int steps = 0, rejected = 0;
   std::int64_t iterations = 0;
   sim::FrameStatistics last;  ///< of the last frame
@@ -48,23 +56,17 @@ class InvariantsWatch {
  public:
   explicit InvariantsWatch(const sim::Settings& settings)
       : settings_(settings),
-        mass_(double{settings.fluid.rest_density} *
-              double{sim::constants_of(sim::as_filled(settings).fluid).volume}) {
+        densities_(settings),
+        mass_(double{settings.fluid.rest_density} * densities_.volume()) {
     if (settings.solver.speed_of_sound == 0)
       settings_.solver.speed_of_sound = sim::default_speed_of_sound(settings);
-    if (settings.solver.type != sim::SolverType::sph || sim::any_moves(settings.obstacles))
-      return;
-    const float radius = sim::constants_of(settings.fluid).support_radius;
-    sim::Walls walls(settings, sim::grid_over(settings, radius), radius, nullptr);
-    for (std::uint32_t b = 0; b < walls.boundary().count(); ++b)
-      sample_volumes_.push_back(walls.boundary().positions().value(b));
   }
 
   void look(const sim::Frame& frame, const sim::FrameStatistics& f) {
+    const std::vector<double> ratios = densities_.ratios(frame);
     look_at_particles(frame);
-    look_at_energy(frame, f);
-    worst_.max_compression = std::max(worst_.max_compression, f.max_compression);
-    worst_.mean_compression = std::max(worst_.mean_compression, f.mean_compression);
+    look_at_densities(ratios, frame, f);
+    look_at_energy(ratios, frame, f);
     worst_.max_speed = std::max(worst_.max_speed, f.max_speed);
     worst_.steps += f.steps;
     worst_.rejected += f.rejected_steps;
@@ -106,7 +108,25 @@ class InvariantsWatch {
     count_ = n;
   }
 
-  void look_at_energy(const sim::Frame& frame, const sim::FrameStatistics& f) {
+  void look_at_densities(const std::vector<double>& ratios, const sim::Frame& frame,
+                         const sim::FrameStatistics& f) {
+    Compression now;
+    double off = 0;
+    for (std::size_t i = 0; i < ratios.size(); ++i) {
+      const double beyond = std::max(0., ratios[i] - 1);
+      now.mean += beyond / static_cast<double>(ratios.size());
+      now.largest = std::max(now.largest, beyond);
+      off = std::max(off, std::abs(frame.densities[i] / settings_.fluid.rest_density - ratios[i]));
+    }
+    worst_.density_off = std::max({worst_.density_off, off, std::abs(f.mean_compression - now.mean),
+                                   std::abs(f.max_compression - now.largest)});
+    worst_.compression = {std::max(worst_.compression.mean, now.mean),
+                          std::max(worst_.compression.largest, now.largest)};
+    worst_.compression_at_end = now;
+  }
+
+  void look_at_energy(const std::vector<double>& ratios, const sim::Frame& frame,
+                      const sim::FrameStatistics& f) {
     glm::dvec3 center(0);
     for (const glm::vec3 p : frame.positions)
       center += glm::dvec3(p) / static_cast<double>(frame.positions.size());
@@ -114,7 +134,7 @@ class InvariantsWatch {
     const glm::dvec3 force =
         mass() * (glm::dvec3(a.x, a.y, a.z) - glm::dvec3(settings_.forces.gravity));
     const double mechanical = mechanical_energy(frame);
-    const double energy = mechanical + elastic_energy(frame);
+    const double energy = mechanical + elastic_energy(ratios, frame);
     if (frame.time > 0) {
       const double work = 0.5 * glm::dot(force + last_force_, center - last_center_) + f.wall_work;
       lowest_ += work;
@@ -146,8 +166,8 @@ class InvariantsWatch {
   }
 
   /// What the pressure accelerations of basic SPH are the gradient of, J: Σ V ∫ p d(ρ/ρ₀) over
-  /// particles and samples of walls, from ρ₀ to their densities.
-  double elastic_energy(const sim::Frame& frame) const {
+  /// particles and boundary particles of walls at rest, from ρ₀ to their densities.
+  double elastic_energy(const std::vector<double>& ratios, const sim::Frame& frame) const {
     if (settings_.solver.type != sim::SolverType::sph)
       return 0;
     const double stiffness =
@@ -155,12 +175,12 @@ class InvariantsWatch {
     // Of a volume, 1 m³, in which ρ/ρ₀ is r.
     const auto stored = [&](double r) { return stiffness * ((std::pow(r, 8) - 1) / 8 - (r - 1)); };
     double energy = 0;
-    for (const float density : frame.densities)
-      energy += mass_ / settings_.fluid.rest_density *
-                stored(std::max(1., double{density} / settings_.fluid.rest_density));
-    for (std::size_t b = 0; b < sample_volumes_.size(); ++b)
-      energy += sample_volumes_[b] *
-                stored(std::pow(1 + frame.boundary_pressures[b] / stiffness, 1. / 7));
+    for (const double ratio : ratios)
+      energy += densities_.volume() * stored(std::max(1., ratio));
+    if (!sim::any_moves(settings_.obstacles))
+      for (std::uint32_t b = 0; b < densities_.boundary().count(); ++b)
+        energy += double{densities_.boundary().volume(b)} *
+                  stored(std::pow(1 + frame.boundary_pressures[b] / stiffness, 1. / 7));
     return energy;
   }
 
@@ -168,12 +188,12 @@ class InvariantsWatch {
 
   sim::Settings settings_;
   const sim::Settings fixed_ = sim::without_moving(settings_);
+  PlainDensities densities_;
   double mass_;  ///< of a particle, kg
   Invariants worst_;
   std::size_t count_ = 0;
   double lowest_ = 0, put_in_ = 0;  // J
   glm::dvec3 last_center_{0}, last_force_{0};
-  std::vector<double> sample_volumes_;  ///< of walls at rest, m³
 };
 
 /// Runs a simulation for `duration` seconds, looked at `frames` times.

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "plain_densities.hpp"
 #include "sample_support.hpp"
 #include "sim/boundary/boundary.hpp"
 #include "sim/boundary/contact.hpp"
@@ -55,6 +56,32 @@ TEST_CASE("liquid resting against walls, edges and corners has the rest density"
   for (std::size_t i = 0; i < frame.positions.size(); ++i)
     if (frame.positions[i].y < 0.4f)
       CHECK(frame.densities[i] == Approx(1000).epsilon(0.02));
+}
+
+TEST_CASE("a flat face adds to the density what a layer of liquid half a spacing behind it would") {
+  constexpr float d = 0.05f, radius = 2 * d;
+  const bool is_body = GENERATE(false, true);
+  const float height = GENERATE(0.2f, 0.5f, 1, 1.4f) * d;  // above the face
+  const glm::vec2 off = GENERATE(glm::vec2(0, 0), glm::vec2(0.5f, 0.5f), glm::vec2(0.3f, 0.1f)) * d;
+  Settings s;
+  s.fluid.spacing = d;
+  s.fluid.volumes = {{Sphere{{0.5f, 0.8f, 0.5f}, 0.4f * d}}};  // one particle
+  s.domain = {{0, 0, 0}, {1, 1, 1}};
+  if (is_body)
+    s.obstacles = {{Box{{0.1f, 0.1f, 0.1f}, {0.9f, 0.5f, 0.9f}}}};
+  Frame start = Simulation(s).frame();
+  REQUIRE(start.positions.size() == 1);
+  // Over a boundary particle, but for `off`.
+  start.positions[0] = {0.525f + off.x, (is_body ? 0.5f : 0) + height, 0.525f + off.y};
+  const double volume = 1 / spindrift::test::lattice_sum(double{d}, double{radius});
+  double expected = volume * spindrift::test::cubic_spline(0, double{radius});
+  for (int i = -3; i <= 3; ++i)
+    for (int k = -3; k <= 3; ++k) {
+      const glm::dvec3 apart(i * double{d} - off.x, height + 0.5 * d, k * double{d} - off.y);
+      expected += volume * spindrift::test::cubic_spline(glm::length(apart), double{radius});
+    }
+  CAPTURE(is_body, height / d, off.x / d, off.y / d);
+  CHECK(Simulation(s, start).frame().densities[0] / 1000 == Approx(expected).margin(1e-5));
 }
 
 TEST_CASE("wall samples lie half a spacing outside the domain, one layer deep, evenly") {
