@@ -1,5 +1,5 @@
-// Scenes in which particle methods explode, leak or break down. In each: all finite, none outside,
-// none lost, no energy made, no more compression than the scene asks for.
+// Scenes in which particle methods explode, leak or break down. What is asked of each is in
+// hard_cases.hpp.
 #include <catch2/catch.hpp>
 
 #include "hard_cases.hpp"

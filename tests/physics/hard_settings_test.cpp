@@ -1,5 +1,5 @@
 // Settings in which particle methods explode, leak or break down: forces, viscosities, sizes, and a
-// long time. What is asked is the same as in hard_cases_test.cpp.
+// long time. What is asked of each is in hard_cases.hpp.
 #include <catch2/catch.hpp>
 #include <numbers>
 

@@ -1,6 +1,5 @@
-// Obstacles that move: walls that push, stir and lift, however fast. In each: all finite, none
-// outside or behind a wall, none lost, no more energy than there was and the walls' work, no more
-// compression than the scene asks for.
+// Obstacles that move: walls that push, stir and lift, however fast. What is asked of each hard case
+// is in hard_cases.hpp, and besides that nothing gets behind a wall.
 #include <catch2/catch.hpp>
 
 #include "hard_cases.hpp"

@@ -1,6 +1,6 @@
 // A closed tank that rocks to and fro, near the frequency of its lowest mode and off it: water
-// strikes walls and lid for many periods. What is asked is the same as in hard_cases_test.cpp, and
-// that the response is resonant.
+// strikes walls and lid for many periods. What is asked is what hard_cases.hpp asks, and that the
+// response is resonant.
 #include <catch2/catch.hpp>
 #include <numbers>
 
