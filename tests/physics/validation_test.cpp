@@ -210,9 +210,9 @@ TEST_CASE("validation: a gate that is pulled up does not hold a column's front b
   CHECK(difference(behind, front) < 0.1);
 }
 
-// From release the errors are 8 to 17 %, and grow towards those of the limit: at once and without
-// friction the water leads the experiments by 0.2 to 0.3 of T. With the default tolerance it is as
-// much as 3 % faster.
+// From release the errors grow with resolution towards those of the limit: at once and without
+// friction the water leads the experiments. By how much, and how much more with the default
+// tolerance, is in docs/results.md.
 TEST_CASE("validation: finer columns' fronts converge, and run as measured", "[validation][long]") {
   const auto coarse = simulated_front({10}), medium = simulated_front({20}),
              fine = simulated_front({40});

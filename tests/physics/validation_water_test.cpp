@@ -189,7 +189,7 @@ TEST_CASE("validation: wide tanks and columns have hydrostatic pressure", "[vali
   CHECK(measured({solver, kernel, 4, 1, 0.1}).pressure_error < 0.02);
 }
 
-// 2 % is the goal. Measured: 2.1 % with basic SPH at this spacing, 0.03 % with PCISPH.
+// 2 % is the goal, which basic SPH just misses at this spacing (docs/results.md).
 TEST_CASE("validation: a standing wave has the period of ω² = gk tanh(kh)", "[validation][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   CHECK(wave_error(solver, 0.05, 0.08) < 0.025);
