@@ -29,8 +29,6 @@ struct InitialParticles {
   std::vector<std::uint32_t> loose;  ///< indices of particles moved off their lattice near bodies
 };
 
-struct Frame;
-
 /// What a value of a frame's particles is good for outside of the simulation.
 enum class FieldUse {
   shown,     ///< it is exported
@@ -39,15 +37,15 @@ enum class FieldUse {
 };
 
 /// One of the arrays of a frame that have a value per particle.
-template <class T>
+template <class Member>
 struct FrameField {
   std::string_view properties;  ///< names of its numbers in files, as "vx vy vz"
   std::string_view unit;        ///< in letters and digits, as kg/m^3
   FieldUse use;
-  std::vector<T> Frame::*member;
+  Member member;  ///< of Frame
 };
-template <class T>
-FrameField(std::string_view, std::string_view, FieldUse, std::vector<T> Frame::*) -> FrameField<T>;
+template <class Member>
+FrameField(std::string_view, std::string_view, FieldUse, Member) -> FrameField<Member>;
 
 /// Particle data at one instant, with one value per particle in the solver's order. With the time
 /// step sizes they are all that a run needs to go on from here to the same bytes.
