@@ -1,5 +1,5 @@
-// Obstacles that move: walls that push, stir and lift, however fast. What is asked of each hard case
-// is in hard_cases.hpp, and besides that nothing gets behind a wall.
+// Obstacles that move: walls that push, stir and lift, however fast. What is asked of each hard
+// case is in hard_cases.hpp, and besides that nothing gets behind a wall.
 #include <catch2/catch.hpp>
 
 #include "hard_cases.hpp"
