@@ -9,6 +9,7 @@
 #include "app/bench/bench_report.hpp"
 #include "app/bench/bench_table.hpp"
 #include "app/errors/errors.hpp"
+#include "app/files/folder_lock.hpp"
 #include "app/run/report.hpp"
 #include "app/system/interrupt.hpp"
 #include "render/output/atomic_file.hpp"

@@ -7,6 +7,7 @@
 #include "app/kept/disk_estimate.hpp"
 #include "app/system/machine_limits.hpp"
 #include "app/tables/frame_rate_text.hpp"
+#include "app/tables/values.hpp"
 
 namespace spindrift::app {
 namespace {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/compare/compare.hpp"
+#include "app/golden/golden.hpp"
 
 namespace spindrift::app {
 

@@ -8,6 +8,7 @@
 #include "app/compare/comparison.hpp"
 #include "app/compare/picture_source.hpp"
 #include "app/errors/errors.hpp"
+#include "app/files/folder_lock.hpp"
 #include "app/files/json_file.hpp"
 #include "app/system/threads.hpp"
 #include "app/tables/document.hpp"
