@@ -7,6 +7,7 @@ namespace spindrift {
 
 /// Pictures per second as a fraction: 30/1, say, or 30000/1001 (NTSC).
 struct FrameRate {
+  // A whole number is a rate. NOLINTNEXTLINE(google-explicit-constructor)
   constexpr FrameRate(int n = 30, int d = 1) : numerator(n), denominator(d) {}
 
   int numerator;    ///< pictures

@@ -28,8 +28,8 @@
 namespace spindrift::app {
 namespace {
 
-// This is a global variable because a signal handler can reach nothing else.
-std::atomic<bool> out_of_time{false};
+// A signal handler can reach nothing else than a global variable.
+std::atomic<bool> out_of_time{false};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 /// Sets `out_of_time` after some wall-clock time, s, if it still lives then.
 class TimeLimit {

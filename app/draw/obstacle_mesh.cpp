@@ -14,7 +14,7 @@ Mesh tessellate(std::span<const sim::Obstacle> obstacles) {
   return {std::move(all.vertices), std::move(all.normals), std::move(all.triangles)};
 }
 
-ObstacleMeshes::ObstacleMeshes(std::span<const sim::Obstacle> obstacles) : moves_(false) {
+ObstacleMeshes::ObstacleMeshes(std::span<const sim::Obstacle> obstacles) {
   for (const sim::Obstacle& obstacle : obstacles) {
     parts_.push_back({obstacle, tessellate({&obstacle, 1})});
     moves_ = moves_ || obstacle.motion;
@@ -38,13 +38,13 @@ Mesh ObstacleMeshes::at(double time) const {
   return all;
 }
 
-std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> instants) const {
+std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> times) const {
   glm::dvec3 low(1e30), high(-1e30);
   for (const Part& part : parts_) {
     if (!part.obstacle.motion)
       continue;
     const sim::Box box = sim::bounds_of(part.obstacle.shape);
-    for (const double time : instants) {
+    for (const double time : times) {
       const sim::Pose pose = sim::pose_at(part.obstacle, time);
       for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p =
@@ -55,7 +55,7 @@ std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> instants) c
       }
     }
   }
-  if (!moves_ || instants.empty())
+  if (!moves_ || times.empty())
     return {};
   const double rounding = 1e-4 * glm::distance(low, high);
   return {glm::vec3(low - rounding), glm::vec3(high + rounding)};

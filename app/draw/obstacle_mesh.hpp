@@ -36,7 +36,7 @@ class ObstacleMeshes {
     Mesh mesh;  ///< where the scene puts the obstacle, without its motion
   };
   std::vector<Part> parts_;
-  bool moves_;
+  bool moves_ = false;
 };
 
 }  // namespace spindrift::app

@@ -20,7 +20,7 @@ void print_lines(const std::string& begin, std::string_view message) {
   while (!message.empty()) {
     const auto end = message.find('\n');
     fmt::print(stderr, "{}{}\n", begin, shown(message.substr(0, end), longest_line));
-    message.remove_prefix(end == message.npos ? message.size() : end + 1);
+    message.remove_prefix(end == std::string_view::npos ? message.size() : end + 1);
   }
 }
 

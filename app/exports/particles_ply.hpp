@@ -7,7 +7,7 @@ namespace spindrift::app {
 
 /// Writes a frame's particles in the order of their ids, so that a particle has the same place in
 /// every file; with the ids where particles come and go.
-void write_particles_ply(const std::filesystem::path& file, const ExportedFrame& frame);
+void write_particles_ply(const std::filesystem::path& file, const ExportedFrame& exported);
 
 inline constexpr ExportFormat particles_ply{
     .name = "particles",

@@ -82,7 +82,7 @@ FolderLock::FolderLock(const fs::path& folder, bool wait) {
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
   if (descriptor_ < 0)
     throw std::runtime_error(fmt::format("cannot write {}: {}", file.string(), strerror(errno)));
-  int result;
+  int result = 0;
   do
     result = ::flock(descriptor_, LOCK_EX | (wait ? 0 : LOCK_NB));
   while (result != 0 && errno == EINTR);

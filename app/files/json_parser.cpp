@@ -84,7 +84,7 @@ class TextCursor {
  private:
   std::size_t end_of_comment() const {
     const std::size_t end = text_.find("*/", offset_ + 2);
-    return end == text_.npos ? end : end + 2;
+    return end == std::string_view::npos ? end : end + 2;
   }
 
   std::string_view text_;
@@ -97,7 +97,7 @@ class TextCursor {
 std::string syntax_error(std::string_view what) {
   const auto at = what.find(" - ");
   return "not valid JSON: " +
-         shown(at == what.npos ? what : what.substr(at + 3), longest_parser_reason);
+         shown(at == std::string_view::npos ? what : what.substr(at + 3), longest_parser_reason);
 }
 
 /// Takes the parser's events and builds the document with its positions.
@@ -235,7 +235,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 }  // namespace
 
 ParsedJson parse_json(std::string_view text) {
-  if (const auto nul = text.find('\0'); nul != text.npos) {
+  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
     TextCursor cursor(text);
     cursor.go_to(nul);
     throw JsonError(JsonError::not_json, cursor.position(),

@@ -75,7 +75,7 @@ class PlyHeaderReader {
   PlyHeader read() {
     if (std::string_view line = take_line(bytes_); take_word(line) != "ply")
       throw MeshError("is not a PLY: its first line is not \"ply\"");
-    for (line_ = 2; bytes_.find('\n') != bytes_.npos; ++line_) {
+    for (line_ = 2; bytes_.find('\n') != std::string_view::npos; ++line_) {
       std::string_view line = take_line(bytes_);
       const std::string_view keyword = take_word(line);
       if (keyword == "end_header") {

@@ -133,7 +133,7 @@ class PageTemplate::Reader {
     const std::size_t end = rest_.find("}}");
     if (end == std::string_view::npos)
       refuse_template("{{ without }}");
-    const std::string place(rest_.substr(2, end - 2));
+    std::string place(rest_.substr(2, end - 2));
     rest_.remove_prefix(end + 2);
     const auto plain = [](char c) { return ('a' <= c && c <= 'z') || c == '_'; };
     const std::size_t sign = place.starts_with('#') || place.starts_with('/') ? 1 : 0;

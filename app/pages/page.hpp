@@ -58,12 +58,15 @@ using PageValues = std::map<std::string, PageValue, std::less<>>;
 
 /// The value of a place: a text, a Url, data, the records of a list, or whether a piece is shown.
 struct PageValue {
+  // Tables of values are written as {{"name", value}, …}.
+  // NOLINTBEGIN(google-explicit-constructor)
   PageValue(std::string text) : value(std::move(text)) {}
   PageValue(const char* text) : value(std::string(text)) {}
   PageValue(Url url) : value(std::move(url)) {}
   PageValue(PageData data) : value(std::move(data)) {}
   PageValue(std::vector<PageValues> records) : value(std::move(records)) {}
   PageValue(std::same_as<bool> auto shown) : value(shown) {}
+  // NOLINTEND(google-explicit-constructor)
 
   std::variant<std::string, Url, PageData, std::vector<PageValues>, bool> value;
 };

@@ -196,7 +196,7 @@ void RunFolder::refuse_others() const {
 bool RunFolder::belongs(std::string_view part) const {
   const std::string name(part);
   const Json made_of = previous_.is_null() ? Json() : previous_.value("made_of", Json());
-  return text_in(made_of, name.c_str()) == made_of_.at(name);
+  return text_in(made_of, name) == made_of_.at(name);
 }
 
 bool RunFolder::was_longer() const {

@@ -13,7 +13,7 @@ namespace {
 // cache's files changes.
 constexpr int particles_version = 11;
 
-__extension__ typedef unsigned __int128 Bits128;
+__extension__ using Bits128 = unsigned __int128;
 
 /// The 128-bit FNV-1a hash of a text (Fowler, Noll, Vo).
 Bits128 fnv1a(std::string_view text) {

@@ -6,8 +6,8 @@
 namespace spindrift::app {
 namespace {
 
-// This is a global variable because a signal handler can reach nothing else.
-std::atomic<bool> interrupted{false};
+// A signal handler can reach nothing else than a global variable.
+std::atomic<bool> interrupted{false};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 void on_signal(int signal) {
   interrupted = true;

@@ -59,7 +59,8 @@ void put_fields(const T& section, Json& object) {
       } else if constexpr (!Alternatives<Value>) {
         object[std::string(field.key)] = json_of(value);
       }
-    } else if constexpr (Section<Value>) {
+      // Branches that are left out at compile time look alike.
+    } else if constexpr (Section<Value>) {  // NOLINT(bugprone-branch-clone)
       put_fields(value, object);
     } else if constexpr (Alternatives<Value>) {
       std::visit(

@@ -32,7 +32,8 @@ int color_space_of(const AVFrame& frame) {
 }  // namespace
 
 struct VideoReader::Impl {
-  explicit Impl(const std::filesystem::path& name) : file(name), packet(owned(av_packet_alloc())) {
+  explicit Impl(std::filesystem::path name)
+      : file(std::move(name)), packet(owned(av_packet_alloc())) {
     av_log_set_level(AV_LOG_QUIET);  // exceptions say what goes wrong
     open_file();
     open_decoder();

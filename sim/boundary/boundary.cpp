@@ -112,8 +112,8 @@ Boundary::Boundary(const Settings& settings, const GridMap& map, float radius, S
     : Boundary(settings, sample_all(settings, stop), map, radius, stop) {}
 
 Boundary::Boundary(const Settings& settings, const std::vector<SurfaceSample>& unsorted,
-                   const GridMap& map, float radius, Stop stop) {
-  count_ = static_cast<std::uint32_t>(unsorted.size());
+                   const GridMap& map, float radius, Stop stop)
+    : count_(static_cast<std::uint32_t>(unsorted.size())) {
   position_.resize(count_);
   const auto place = [&](std::uint32_t i, const SurfaceSample& s) {
     position_.view().set(i, {s.position.x, s.position.y, s.position.z});

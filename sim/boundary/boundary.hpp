@@ -22,7 +22,7 @@ class Boundary {
   Boundary(const Settings& settings, const GridMap& map, float radius, Stop stop);
 
   /// Does the same with the given samples, of solids that stand among the settings' obstacles.
-  Boundary(const Settings& settings, const std::vector<SurfaceSample>& samples, const GridMap& map,
+  Boundary(const Settings& settings, const std::vector<SurfaceSample>& unsorted, const GridMap& map,
            float radius, Stop stop);
 
   /// A boundary particle with all that it carries.

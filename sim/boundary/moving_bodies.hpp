@@ -76,7 +76,7 @@ class MovingBodies {
 
  private:
   static constexpr int fixed = SolidsView::fixed;
-  void add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& samples,
+  void add(const Obstacle& obstacle, int body, std::vector<Boundary::Sample>& all,
            std::vector<int>& owners, Stop stop) const;
 
   Settings settings_;

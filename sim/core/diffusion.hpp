@@ -11,10 +11,10 @@ namespace spindrift::sim {
 template <class Shape>
 struct LaplacianWeights {
   float inverse_squared_radius;  ///< 1/H², 1/m²
-  float scale;                   ///< factor of Shape::value(), 1/m²
+  float scale = 1;               ///< factor of Shape::value(), 1/m²
 
   LaplacianWeights(float spacing, float support_radius)
-      : inverse_squared_radius(1 / (support_radius * support_radius)), scale(1) {
+      : inverse_squared_radius(1 / (support_radius * support_radius)) {
     double squared_x = 0;
     for_lattice_points(spacing, support_radius, [&](const Vec3<float>& p) {
       squared_x += double{weight(dot(p, p))} * p.x * p.x;

@@ -70,7 +70,7 @@ void add_places(const Nozzle& nozzle, const glm::vec3& column,
     for (int k = -behind; k <= beyond; ++k) {
       const glm::vec3 at = static_cast<float>(k) * step * nozzle.direction();
       if (const double w = kernel.value(glm::distance(off, at)); w > 0)
-        own[static_cast<std::size_t>(behind + k)].shares.push_back({b, w * samples[b].volume});
+        own[behind + k].shares.push_back({b, w * samples[b].volume});
     }
   }
   std::erase_if(own, [](const Place& place) { return place.shares.empty(); });

@@ -36,15 +36,15 @@ class OneOf {
     return index;
   }
 
-  template <int index, class Visitor, class First, class... Rest>
+  template <int Index, class Visitor, class First, class... Rest>
   SPINDRIFT_HD decltype(auto) visit_from(const Visitor& visitor) const {
     const First& value = *std::launder(reinterpret_cast<const First*>(bytes_));
     if constexpr (sizeof...(Rest) == 0) {
       return visitor(value);
     } else {
-      if (index_ == index)
+      if (index_ == Index)
         return visitor(value);
-      return visit_from<index + 1, Visitor, Rest...>(visitor);
+      return visit_from<Index + 1, Visitor, Rest...>(visitor);
     }
   }
 

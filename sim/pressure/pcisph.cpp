@@ -363,6 +363,7 @@ struct Pcisph final : PcisphSolver {
             s.boundary.compression, allowance_.kept};
   }
 
+ private:
   SolverSettings settings_;
   CubicKernel density_kernel_;
   Kernel pressure_kernel_;

@@ -18,6 +18,8 @@ struct FrameUniforms {
   glm::vec4 liquid_color, liquid_absorption, gloss, obstacle_color;
   glm::vec4 background_top, background_bottom, floor_color, stage_min, stage_max, viewport;
   glm::vec4 depth_scale;
+
+  bool operator==(const FrameUniforms&) const = default;
 };
 
 /// Returns the uniforms of one picture.

@@ -34,6 +34,7 @@ class Handle {
     std::swap(id_, other.id_);
     return *this;
   }
+  // OpenGL's functions take names. NOLINTNEXTLINE(google-explicit-constructor)
   operator GLuint() const { return id_; }
 
  private:

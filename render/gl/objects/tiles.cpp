@@ -46,7 +46,7 @@ void Tiles::add(const Mesh& mesh, const glm::mat4& world_to_clip) {
     const glm::ivec2 high = glm::min(glm::max(a, glm::max(b, c)), last);
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x)
-        touched_[static_cast<std::size_t>(y * columns_ + x)] = 1;
+        touched_[static_cast<std::size_t>(y) * columns_ + x] = 1;
   }
 }
 

@@ -51,7 +51,7 @@ void ShadowSplat::add(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
   const float right = amount * (middle.x - static_cast<float>(x)), left = amount - right;
   const float up = middle.y - static_cast<float>(y), down = 1.f - up;
-  float* const below = &blocked_[static_cast<std::size_t>(y * width_ + x)];
+  float* const below = &blocked_[static_cast<std::size_t>(y) * width_ + x];
   float* const above = below + width_;
   below[0] += down * left;
   below[1] += down * right;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "shaders.hpp"
 
@@ -65,7 +64,7 @@ void Surroundings::draw(const Texture* shadow) const {
 void Surroundings::draw_on(const Picture& picture, const FrameUniforms& frame,
                            const Texture* shadow, const ShadowArea& area) {
   picture.bind();
-  if (!last_ || std::memcmp(&*last_, &frame, sizeof frame) != 0) {
+  if (last_ != frame) {
     last_ = frame;
     kept_.reset();
     draw(shadow);
