@@ -15,9 +15,9 @@
 namespace spindrift::app {
 namespace {
 
-/// Adds what happened in a later part of the way to a frame.
+/// Adds the statistics of a later part of the time between two frames.
 void append(sim::FrameStatistics& whole, const sim::FrameStatistics& part) {
-  sim::FrameStatistics sum = part;  // what is measured is that of the end
+  sim::FrameStatistics sum = part;  // measured figures are those of the end
   sum.steps += whole.steps;
   sum.rejected_steps += whole.rejected_steps;
   sum.iterations += whole.iterations;
@@ -67,7 +67,7 @@ std::optional<ComingFrame> ParticleSource::next(int number) {
   if (std::optional<KeptFrame> found = cache_ ? cache_->find(number) : std::nullopt) {
     if (number == 0)
       earlier_.take_over(cache_->read_record());
-    if (simulation_)  // a file between good ones was missing; where the next is, it starts anew
+    if (simulation_)  // it filled a gap between cached frames; a later gap needs a new one
       earlier_ = record();
     simulation_.reset();
     last_ = found->frame;
@@ -96,7 +96,8 @@ KeptFrame ParticleSource::keep(int number, ComingFrame coming) const {
   return frame;
 }
 
-/// Whether Ctrl-C has let it.
+/// Makes the simulation that computes frame `number`, from the frame before.
+/// @return whether it was made: false after Ctrl-C
 bool ParticleSource::start_simulation(int number) {
   const sim::Stop stop = &InterruptGuard::requested();
   try {
@@ -111,7 +112,8 @@ bool ParticleSource::start_simulation(int number) {
   return true;
 }
 
-/// Nothing after Ctrl-C.
+/// Advances the simulation to a frame, and reads the probes on the way.
+/// @return nothing after Ctrl-C
 std::optional<ComingFrame> ParticleSource::simulate(int number) {
   if (!simulation_ && !start_simulation(number))
     return std::nullopt;
@@ -137,8 +139,9 @@ std::optional<ComingFrame> ParticleSource::simulate(int number) {
   return coming;
 }
 
-/// Reads the probes at a stop, and notes the readings that are due since the last one.
-/// @returns the first that is due later
+/// Reads the probes at a stop, and adds the readings that have become due since the last stop.
+/// @param due the first reading not yet added
+/// @return the first reading that is due later
 std::vector<double>::const_iterator ParticleSource::read_probes(
     const sim::Frame& frame, std::vector<double>::const_iterator due,
     std::vector<double>::const_iterator end) {
@@ -162,7 +165,8 @@ ComingFrame ParticleSource::kept(int number, KeptFrame frame) {
   return {ready(std::move(frame.frame)), frame.statistics, time, particles, true};
 }
 
-/// Before the frame itself is kept, so that a frame which is there has its readings. Numbers are
+/// Writes the readings since the frame before, from index `first` on, to the cache. This happens
+/// before the frame itself is written, so that a cached frame always has its readings. Numbers are
 /// written as they stand in memory, like the frame's.
 void ParticleSource::keep_readings(int number, std::size_t first) const {
   if (readings_name_.empty())
@@ -175,6 +179,8 @@ void ParticleSource::keep_readings(int number, std::size_t first) const {
   cache_->write_readings(number, readings_name_, values);
 }
 
+/// Adds the readings that were written to the cache with a frame.
+/// @return whether they were there
 bool ParticleSource::add_kept_readings(int number) {
   if (readings_name_.empty())
     return false;
@@ -189,7 +195,7 @@ bool ParticleSource::add_kept_readings(int number) {
   return true;
 }
 
-/// After the frame before, up to a frame.
+/// The times, s, of the readings after the frame before and up to frame `number`.
 std::vector<double> ParticleSource::readings_due(int number) const {
   if (scene_.probes.empty())
     return {};

@@ -26,9 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Frames that may wait between two stages.
+/// The number of pictures that may wait to be written.
 constexpr std::size_t queue_capacity = 2;
-constexpr std::size_t particles_capacity = 1;  ///< before frames are kept, and after
+/// The number of frames of particles that may wait to be kept, and as many again to be drawn.
+constexpr std::size_t particles_capacity = 1;
 
 struct NumberedFrame {
   int number = 0;
@@ -45,7 +46,7 @@ struct NumberedImage {
   Image image;
 };
 
-/// Adds the time it lives to a stage's sum.
+/// Adds the wall-clock time, s, for which the object lives to a stage's sum.
 class StageTimer {
  public:
   explicit StageTimer(double& sum) : sum_(sum) {}
@@ -60,14 +61,15 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Leaves what is asked for of a frame besides its picture.
+/// Writes the files of a frame in all export formats that the options ask for.
 void export_frame(const RenderOptions& options, int number, const ExportedFrame& frame) {
   for (const ExportFormat* format : options.exports)
     format->write(
         options.output / format->folder / fmt::format("{:04}{}", number, format->extension), frame);
 }
 
-/// Particles to picture. Lives in the drawing thread.
+/// Makes meshes and pictures of particles. It must live in the drawing thread, to which its GL
+/// context belongs.
 class DrawingStage {
  public:
   DrawingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
@@ -103,7 +105,7 @@ class DrawingStage {
   SceneDrawing scene_drawing_;
 };
 
-/// Pictures to files.
+/// Writes pictures as PNG files and into the video.
 class WritingStage {
  public:
   WritingStage(const Scene& scene, const RenderOptions& options, RunRecord& record)
@@ -118,12 +120,12 @@ class WritingStage {
                                              .frames_per_second = scene.video.frames_per_second,
                                              .quality = scene.video.quality}) {}
 
-  /// What is finished when an error comes stays, and plays.
+  /// Closes the video where an error came before finish(), so that its frames can be played.
   ~WritingStage() {
     try {
       finish();
     } catch (const std::exception&) {
-      // The error that came before is told.
+      // The error that came before is the one that is reported.
     }
   }
   WritingStage(const WritingStage&) = delete;
@@ -140,7 +142,7 @@ class WritingStage {
     ++count_;
   }
 
-  /// Gives the video its name, unless the one of that name goes on for longer.
+  /// Closes the video and gives it its name, unless a longer video has that name already.
   void finish() {
     const int count = std::exchange(count_, 0);
     if (count == 0)
@@ -161,17 +163,17 @@ class WritingStage {
   const RenderOptions& options_;
   RunRecord& record_;
   double &png_, &video_;
-  int count_ = 0;  ///< of frames that no video has yet
+  int count_ = 0;  ///< number of frames in the unfinished video
   fs::path part_;  ///< name of the video until it is finished
   output::VideoWriter writer_;
 };
 
-/// The run's threads, and what they share.
+/// The threads of a run, and the queues and figures that they share.
 class Pipeline {
  public:
   Pipeline(const Scene& scene, const RenderOptions& options, RunRecord& record)
       : scene_(scene), options_(options), record_(record) {
-    // Named before the threads start, since a map must not grow under them.
+    // All stages are entered before the threads start, since the map must not grow under them.
     for (const char* stage :
          {"simulate", "keep", "mesh", "draw", "export", "write PNG", "write MP4"})
       record_.stage_seconds[stage] = 0;
@@ -200,7 +202,7 @@ class Pipeline {
     source.finish(record_);
     if (failure_)
       std::rethrow_exception(failure_);
-    // Also when all was simulated, and waited to be drawn.
+    // Ctrl-C may come when all frames are simulated and some of them wait to be drawn.
     record_.interrupted = record_.frames_finished < record_.frames_wanted;
   }
 
@@ -238,7 +240,8 @@ class Pipeline {
     }
   }
 
-  /// After Ctrl-C too, so that what is simulated is not lost.
+  /// Writes frames to the cache and passes them on; after Ctrl-C too, so that no simulated frame is
+  /// lost.
   void keep_all(const ParticleSource& source, const FrameRange& range, Progress& progress) {
     while (auto coming = coming_.pop()) {
       const int number = coming->number;
@@ -267,7 +270,7 @@ class Pipeline {
 
   void draw_all() {
     if (options_.threads > 0)
-      omp_set_num_threads(options_.threads);  // holds for one thread's loops
+      omp_set_num_threads(options_.threads);  // the number holds for the loops of one thread
     DrawingStage stage(scene_, options_, record_);
     while (auto particles = particles_.pop()) {
       if (InterruptGuard::requested())

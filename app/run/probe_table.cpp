@@ -16,13 +16,13 @@ namespace {
 
 using Readings = std::vector<ProbeReading>;
 
-/// A unit as people write it.
+/// A unit as it is shown in plots.
 std::string shown_unit(std::string_view unit) {
   return unit == "m3" ? "m³" : std::string(unit);
 }
 
-/// One column over time. Of many readings the lowest and the highest of each of `most_parts` equal
-/// parts are taken, so that peaks stay.
+/// The curve of one column over time. Many readings are divided into `most_parts` equal parts, or
+/// up to twice as many, and the lowest and the highest of each part are taken, so that peaks stay.
 Curve curve_of(const Readings& readings, std::size_t column, const std::string& title) {
   constexpr std::size_t most_parts = 1000;
   Curve curve{.title = title, .dashed = false};
@@ -50,7 +50,8 @@ Curve curve_of(const Readings& readings, std::size_t column, const std::string& 
   return curve;
 }
 
-/// The plots of a probe whose first column is `first`.
+/// The plots of a probe: one for each group of adjacent columns with the same unit.
+/// @param first the index of the probe's first column among those of all probes
 std::vector<PageValues> plots_of(const std::vector<sim::ProbeColumn>& columns, std::size_t first,
                                  const Readings& readings) {
   std::vector<Plot> plots;
@@ -82,7 +83,7 @@ ProbeReading read_probes(const Scene& scene, const sim::Frame& frame) {
 }
 
 std::vector<double> reading_times(double begin, double end, double rate) {
-  constexpr double rounding = 1e-6;  // periods
+  constexpr double rounding = 1e-6;  // in periods
   std::vector<double> due;
   for (double k = std::max(0., std::floor(begin * rate + rounding) + 1); k <= end * rate + rounding;
        ++k)
@@ -100,7 +101,7 @@ std::vector<double> stop_times(double begin, double end, std::size_t readings) {
 }
 
 ProbeReading reading_between(const ProbeReading& before, const ProbeReading& after, double time) {
-  constexpr double rounding = 1e-6;  // of the time between the two
+  constexpr double rounding = 1e-6;  // part of the time between the two stops
   const double part = (time - before.time) / (after.time - before.time);
   ProbeReading reading{time, after.values};
   if (!(part < 1 - rounding))

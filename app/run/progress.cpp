@@ -80,7 +80,7 @@ void Progress::show(const char* stage, int number, int done) {
   }
 }
 
-/// While a frame takes long.
+/// Says that a frame is still at work, in the log of a run whose frames take long.
 void Progress::show_in_log() {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
   fmt::print(stderr, "{}: at work on frame {} of {}, {} so far\n", scene_,

@@ -1,5 +1,5 @@
-// How far a run is: a line that changes on a terminal, lines now and then where there is none, or a
-// line of JSON for each frame.
+// Reports on standard error how far a run is: by a line that is rewritten on a terminal, by lines
+// now and then where there is none, or by a line of JSON for each frame.
 #pragma once
 
 #include <atomic>
@@ -13,32 +13,36 @@
 
 namespace spindrift::app {
 
-/// The longest time for which a log is not told anything.
+/// The longest time that passes between two lines of a log.
 constexpr std::chrono::seconds longest_silence{30};
 
-/// When a log is to be told how far something is: at the beginning, after each tenth, and after
-/// the longest silence.
+/// Decides when a log gets a line on how far something is: at the beginning, after each tenth, and
+/// after the longest silence.
 class LogPace {
  public:
-  /// @param part that is done, 0 ... 1
+  /// Whether a line is due; if so, it is taken to be written now.
+  /// @param part the finished part, 0 ... 1
   bool is_due(double part);
 
  private:
-  double told_part_ = -1;
-  std::chrono::steady_clock::time_point told_;
+  double told_part_ = -1;  ///< finished part at the last line; -1: there was no line yet
+  std::chrono::steady_clock::time_point told_;  ///< time of the last line
 };
 
+/// The progress report of one run.
 class Progress {
  public:
-  /// @param frames in the whole run. @param particles at its start
+  /// @param frames the number of frames that the run is to finish
+  /// @param particles the number of particles at its start
   Progress(const Scene& scene, const RenderOptions& options, int frames, std::size_t particles);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Frame `number` has just been finished by `stage`, and is the run's `done`th; from one thread.
+  /// Reports that `stage` has finished frame `number`, which is the `done`th frame finished. It
+  /// must always be called from the same thread.
   void show(const char* stage, int number, int done);
-  /// How many particles there are now; may be called from another thread than show().
+  /// Sets the number of particles that is reported; may be called from another thread than show().
   void set_particles(std::size_t particles) { particles_ = particles; }
 
  private:
@@ -57,10 +61,11 @@ class Progress {
   LogPace pace_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_shown_{};
-  std::optional<Heartbeat> heartbeat_;  ///< of a log; the last member, since it shows the others
+  std::optional<Heartbeat> heartbeat_;  ///< for a log; the last member, since it reads the others
 };
 
-/// "48 s", "3 min 05 s", "2 h 10 min".
+/// A duration as "48 s", "3 min 05 s" or "2 h 10 min".
+/// @param seconds rounded up to whole seconds
 std::string duration_text(double seconds);
 
 }  // namespace spindrift::app

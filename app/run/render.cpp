@@ -16,7 +16,7 @@
 namespace spindrift::app {
 namespace {
 
-/// Says what is left of a run that did not reach its end, and how to go on.
+/// Prints how far a run came that did not reach its end, and how to continue it.
 void print_rest(const RenderOptions& options, const RunRecord& record, const char* reason) {
   const std::string video =
       record.video.empty() ? std::string() : fmt::format("; {} plays them", record.video.string());

@@ -17,7 +17,7 @@
 namespace spindrift::app {
 namespace {
 
-/// Largest of one figure over all frames.
+/// The largest value of one figure over all frames, at least 0.
 double worst(const std::vector<sim::FrameStatistics>& frames,
              double sim::FrameStatistics::*figure) {
   double value = 0;
@@ -40,10 +40,13 @@ sim::Exchange total_exchange(const RunRecord& record) {
   return sum;
 }
 
-/// What a run says of its own error where that is clearly beyond what was asked for.
+/// Warnings of a density error that is clearly beyond what the scene asks for.
+/// @param mean, largest the mean and the largest compression of the worst frame
 std::vector<std::string> warnings_of(const Scene& scene, double mean, double largest) {
-  constexpr double margin = 1.5;  // a step that is refused often is allowed more than was asked for
-  constexpr double most_of_sph = 0.03;  // three times what a tenth of the speed of sound makes
+  // A step that was refused often is allowed more than was asked for.
+  constexpr double margin = 1.5;
+  // Three times the compression of liquid at a tenth of the speed of sound.
+  constexpr double most_of_sph = 0.03;
   const sim::SolverSettings& solver = scene.simulation.solver;
   std::vector<std::string> warnings;
   if (solver.type == sim::SolverType::sph) {

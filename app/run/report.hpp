@@ -1,4 +1,4 @@
-// What a run leaves to read: run.json for machines, a closing table for people.
+// The reports of a run: run.json for programs, and the table that is printed at its end for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,20 +9,23 @@
 
 namespace spindrift::app {
 
-/// What a run did, for run.json.
-/// @param earlier the entries of an earlier run of the same simulation for each frame: a run of the
-/// first frames alone keeps what is known of those after them
+/// What a run did, as the part of run.json that depends on it.
+/// @param earlier the list of frames in the run.json of an earlier run of the same simulation; its
+/// entries are kept for frames after those that this run reached
 nlohmann::ordered_json report_json(const Scene& scene, const RunRecord& record,
                                    const nlohmann::ordered_json& earlier);
+
+/// Prints the closing table of a run to standard output, with warnings where the density error is
+/// large.
 void print_table(const Scene& scene, const RenderOptions& options, const RunRecord& record);
 
-/// Version of the program, of its compiler and of what it writes with.
+/// The versions of the program, of its compiler and of its video encoder.
 nlohmann::ordered_json versions_json();
 
-/// The processor's name, or "unknown".
+/// The processor's name as the system gives it, or "unknown".
 std::string processor_name();
 
-/// What timings depend on, in a line: processor, threads, version and compiler.
+/// One line with what timings depend on: processor, number of its threads, version and compiler.
 std::string machine_text();
 
 }  // namespace spindrift::app

@@ -24,7 +24,8 @@ using Json = nlohmann::ordered_json;
 /// The folder of a run's pictures.
 constexpr const char* picture_folder = "frames";
 
-/// What a run's folder holds besides run.json: pictures, videos and probes, and what is exported.
+/// The parts of a run's folder besides run.json: pictures, videos, probes, and one for each export
+/// format.
 std::vector<std::string_view> parts() {
   std::vector<std::string_view> names{"pictures", "videos", "probes"};
   for (const ExportFormat& format : export_formats())
@@ -32,7 +33,7 @@ std::vector<std::string_view> parts() {
   return names;
 }
 
-/// The folders with a file for each frame.
+/// The folders in a run's folder that have a file for each frame.
 std::vector<fs::path> frame_folders(const fs::path& run) {
   std::vector<fs::path> folders{run / picture_folder};
   for (const ExportFormat& format : export_formats())
@@ -40,21 +41,23 @@ std::vector<fs::path> frame_folders(const fs::path& run) {
   return folders;
 }
 
-/// A file of a run, and the frames that it is of: the last one, or -1 where it is of all.
+/// A file of a run, and the range of frames that it shows, both ends included. `last` is -1 for a
+/// file that belongs to the run as a whole.
 struct RunFile {
   fs::path path;
   int first = 0;
   int last = -1;
 };
 
-/// The number that a text consists of, four digits or more; -1: it does not.
+/// The number that a text of four digits or more stands for; negative for any other text.
 int number_of(std::string_view text) {
   int number = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return text.size() >= 4 && error == std::errc() && end == text.data() + text.size() ? number : -1;
 }
 
-/// Frames' numbers in a name such as 0003.png or, with a prefix, video_0010-0020.mp4.
+/// A file with the frames that its name gives, as 0003.png or, with a prefix, video_0010-0020.mp4
+/// do; nothing for other names.
 std::optional<RunFile> numbered(const fs::path& path, std::string_view prefix) {
   const std::string stem = path.stem().string();
   if (!stem.starts_with(prefix))
@@ -66,7 +69,7 @@ std::optional<RunFile> numbered(const fs::path& path, std::string_view prefix) {
   return first < 0 || last < 0 ? std::nullopt : std::optional(RunFile{path, first, last});
 }
 
-/// The files of a folder whose names are frames' numbers, in their order.
+/// The files of a folder whose names give numbers of frames, in the order of these.
 std::vector<RunFile> numbered_files(const fs::path& folder, std::string_view extension,
                                     std::string_view prefix = {}) {
   std::vector<RunFile> files;
@@ -104,7 +107,7 @@ std::vector<RunFile> files_of(std::string_view part, const fs::path& folder) {
   return files;
 }
 
-/// For each part, a hash of all that its files depend on.
+/// For each part of the folder, a hash of all that its files depend on.
 Json hashes_of_parts(const Scene& scene, const std::string& particles) {
   const Json whole = to_json(scene);
   Json look = whole;
@@ -124,13 +127,13 @@ Json hashes_of_parts(const Scene& scene, const std::string& particles) {
   return hashes;
 }
 
-/// The simulation that the particles of a run are of.
+/// The hash of the simulation from which a run takes its particles.
 std::string particles_of(const Scene& scene, const RenderOptions& options) {
   return options.from_particles ? ParticleCache(*options.from_particles).simulation()
                                 : simulation_hash(scene);
 }
 
-/// Numbers of frames as ranges, both ends included: [[0, 2], [5, 9]].
+/// The numbers of the files' frames as ranges with both ends included, as in [[0, 2], [5, 9]].
 Json ranges_of(const std::vector<RunFile>& files) {
   Json ranges = Json::array();
   for (const RunFile& file : files)
@@ -141,8 +144,8 @@ Json ranges_of(const std::vector<RunFile>& files) {
   return ranges;
 }
 
-/// The frames' figures that a run.json holds; none where there are none, or some are not as the
-/// program writes them.
+/// The list of frames in a run.json; empty where there is none, or where an entry is not as the
+/// program writes it.
 Json frames_in(const Json& run) {
   const auto is_ours = [](const Json& frame) {
     const auto has = [&](const char* key) {
@@ -185,14 +188,14 @@ void RunFolder::refuse_others() const {
     return;
   }
   if (fs::exists(folder / "run.json"))
-    return;  // damaged, but ours
+    return;  // it is damaged, but a run wrote it
   for (const std::string_view part : parts())
     for (const RunFile& file : files_of(part, folder))
       throw InputError(fmt::format("{} is there, but no run.json that says of which scene; {}",
                                    file.path.string(), advice));
 }
 
-/// Whether the files of a part that are there are of this scene.
+/// Whether the files that a part has from an earlier run are those of this scene.
 bool RunFolder::belongs(std::string_view part) const {
   const std::string name(part);
   const Json made_of = previous_.is_null() ? Json() : previous_.value("made_of", Json());
@@ -271,7 +274,7 @@ void RunFolder::write_probes(const RunRecord& record) const {
   output::write_file(options_.output / "probes.html", probes_html(scene_, record.probe_readings));
 }
 
-/// Which frames the folder holds, in what form.
+/// Adds which frames the folder holds in each of its parts, and whether it is complete.
 void RunFolder::add_contents(Json& json, const RunRecord& record) const {
   const fs::path& folder = options_.output;
   json["pictures"] = ranges_of(files_of("pictures", folder));
@@ -286,8 +289,8 @@ void RunFolder::add_contents(Json& json, const RunRecord& record) const {
   json["complete"] = is_complete(json, record);
 }
 
-/// Whether all that the command is to leave is there: pictures and video of the whole scene, or its
-/// simulation to the end.
+/// Whether the command has left all that it should: the pictures and the video of the whole scene,
+/// or its simulation to the end.
 bool RunFolder::is_complete(const Json& json, const RunRecord& record) const {
   const int count = scene_.video.frame_count();
   if (options_.simulate_only)

@@ -1,8 +1,8 @@
-// What a run leaves in its folder: the files of one scene, and run.json, which says of which.
+// The output folder of a run: the files of one scene, and run.json, which says of which scene.
 //
 // At each moment, whenever the process is killed, run.json tells the truth: files of another scene
-// or look are removed while it still speaks for those, as not complete; then it is written for the
-// new one, as not complete; only then are new files written.
+// or look are removed while run.json still names that one, as not complete; then run.json is
+// written for the new scene, as not complete; only then are new files written.
 #pragma once
 
 #include <filesystem>
@@ -18,26 +18,30 @@
 
 namespace spindrift::app {
 
+/// Decides which files of earlier runs stay in the output folder, and writes run.json.
 class RunFolder {
  public:
-  /// Changes nothing yet. The caller holds the folder's lock.
-  /// @throws InputError where the folder holds what must not be replaced: the results of another
-  /// scene file, or files that no run.json speaks for
+  /// Reads the run.json that is there, and changes nothing yet. The caller must hold the folder's
+  /// lock.
+  /// @param scene, options must outlive this object
+  /// @throws InputError where the folder holds files that must not be replaced: the results of
+  /// another scene file, or files without a run.json
   RunFolder(const Scene& scene, const RenderOptions& options);
 
-  /// Removes what is not of this scene, and leaves a run.json that says that a run is under way.
+  /// Removes unfinished files and those that are not of this scene, and writes a run.json that says
+  /// that the run is not complete.
   void begin();
 
-  /// Leaves the probes' table and page, unless a table that goes on for longer is there.
+  /// Writes the probes' table and page, unless a longer table of the same probes is there.
   void write_probes(const RunRecord& record) const;
 
-  /// Leaves the run.json of a run that ended, and returns it.
+  /// Writes the run.json of a run that has ended, and returns its contents.
   nlohmann::ordered_json finish(const RunRecord& record);
 
  private:
   void refuse_others() const;
   bool belongs(std::string_view part) const;
-  /// Whether the run before had more frames than this scene.
+  /// Whether the run that was here before had more frames than this scene.
   bool was_longer() const;
   void remove_others() const;
   void write(const nlohmann::ordered_json& json) const;
@@ -47,12 +51,14 @@ class RunFolder {
 
   const Scene& scene_;
   const RenderOptions& options_;
-  nlohmann::ordered_json made_of_;   ///< for each part, a hash of all that it depends on
-  nlohmann::ordered_json previous_;  ///< run.json as it was found; null: none that can be used
+  nlohmann::ordered_json made_of_;   ///< for each part, a hash of all that its files depend on
+  nlohmann::ordered_json previous_;  ///< run.json as it was found; null: it was missing or damaged
 };
 
-/// Where the video of some frames belongs: video.mp4 for what begins a whole run, else a name with
-/// the frames' numbers.
+/// The name of the file of a video: video.mp4 where the options ask for all frames, else a name
+/// with the numbers of the frames in it.
+/// @param first the number of the video's first frame
+/// @param count the number of its frames
 std::filesystem::path video_name(const RenderOptions& options, int first, int count,
                                  const VideoConfig& video);
 
