@@ -9,12 +9,13 @@
 namespace spindrift::app {
 namespace {
 
-/// In [0, 1), the same on every machine (std::uniform_real_distribution is not).
+/// A random number in [0, 1). It is the same on every machine, which
+/// std::uniform_real_distribution does not guarantee.
 double fraction(std::mt19937& random) {
   return static_cast<double>(random()) / 4294967296.;
 }
 
-/// 0 ... count - 1 in random order (Fisher and Yates).
+/// The numbers 0 ... count - 1 in random order (Fisher and Yates).
 std::vector<int> shuffled(int count, std::mt19937& random) {
   std::vector<int> order(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -24,7 +25,8 @@ std::vector<int> shuffled(int count, std::mt19937& random) {
   return order;
 }
 
-/// Four digits, since it is to be read in the folder's name.
+/// The value at a part, 0 ... 1, of a range. It is rounded to four digits, since it is to be read
+/// in the name of the run's folder.
 Json value_at(const SampledRange& range, double part) {
   double value = range.scale == RangeScale::logarithmic
                      ? range.min * std::pow(range.max / range.min, part)
@@ -38,7 +40,7 @@ Json value_at(const SampledRange& range, double part) {
 }  // namespace
 
 void SampledRange::check(const Complain& complain) const {
-  constexpr double most = 1'000'000;  // of whole numbers
+  constexpr double most = 1'000'000;  // largest magnitude of the ends of a range of whole numbers
   if (min >= max)
     complain("max", "must be above min");
   for (const auto& [key, end] : {std::pair("min", min), std::pair("max", max)})

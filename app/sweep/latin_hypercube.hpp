@@ -1,4 +1,4 @@
-// Latin hypercubes: values of several keys of a scene, spread evenly over a range of each.
+// Latin hypercube sampling: values of several keys of a scene, spread evenly over a range of each.
 #pragma once
 
 #include <limits>
@@ -9,26 +9,27 @@
 
 namespace spindrift::app {
 
-/// In what the parts of a range are equal.
+/// The scale on which a range is cut into equal parts.
 enum class RangeScale { linear, logarithmic };
 template <>
 inline constexpr std::array<std::string_view, 2> value_names<RangeScale>{"linear", "logarithmic"};
 
-/// The range of one key's values. Until they are read, its ends are not a number.
+/// The range of one key's values. Its ends are NaN until they are read.
 struct SampledRange {
   double min = std::numeric_limits<double>::quiet_NaN();
   double max = std::numeric_limits<double>::quiet_NaN();
   RangeScale scale = RangeScale::linear;
   bool whole = false;  ///< whole numbers only
 
+  /// Reports ends that are out of order, and those that do not fit `scale` or `whole`.
   void check(const Complain& complain) const;
 };
 
 /// A Latin hypercube (McKay, Beckman, Conover 1979): each range is cut into as many parts as there
-/// are samples, and each part is met by one sample.
+/// are samples, and one sample lies in each part.
 struct LatinHypercube {
   int samples = 2;
-  int seed = 1;  ///< of the random numbers
+  int seed = 1;  ///< seed of the random numbers
   std::vector<Keyed<SampledRange>> ranges;
 };
 
@@ -55,7 +56,8 @@ inline constexpr auto table<LatinHypercube> = std::tuple{
           {},
           Presence::required}};
 
-/// The samples, each with a value of every key. The same seed gives the same samples everywhere.
+/// Draws the samples, each with a value of every key. A seed gives the same samples on every
+/// machine.
 SweepAxis samples_of(const LatinHypercube& hypercube);
 
 }  // namespace spindrift::app

@@ -20,7 +20,8 @@
 namespace spindrift::app {
 namespace {
 
-/// A line on the terminal that says how far all is; lines now and then where there is none.
+/// Reports how far a sweep is: by a line that is rewritten on a terminal, by lines now and then
+/// where there is none.
 class SweepProgress {
  public:
   explicit SweepProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
@@ -78,7 +79,7 @@ void print_runs(const SweepPlan& plan, const std::vector<SweepResult>& results) 
   fmt::print("\n");
 }
 
-/// What the report shows besides the figures.
+/// The results as the HTML report needs them: with the curves of the probes.
 Json page_json(const Json& results, const std::vector<SweepResult>& all) {
   Json page = results;
   for (std::size_t i = 0; i < all.size(); ++i)

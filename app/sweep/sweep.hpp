@@ -1,4 +1,4 @@
-// Sweeps, as a command.
+// The command `sweep`, which runs a scene with many values.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,22 @@ namespace spindrift::app {
 
 struct SweepOptions {
   std::filesystem::path output;   ///< folder of all results
-  int threads = 1;                ///< of all runs together
-  int jobs = 0;                   ///< runs at once, at most; 0: as many as there are threads
-  bool quiet = false;             ///< nothing but errors
-  bool json = false;              ///< for machines
-  std::string command_line_hint;  ///< the command as typed, to say how to go on
+  int threads = 1;                ///< number of threads of all runs together
+  int jobs = 0;                   ///< most runs at once; 0: as many as there are threads
+  bool quiet = false;             ///< print nothing but errors
+  bool json = false;              ///< print results as JSON
+  std::string command_line_hint;  ///< the command as typed, for the hint how to continue
 };
 
-/// Runs what of a sweep is not done yet, and leaves a report of all of it.
+/// Runs all tasks of a sweep that are not done yet, and writes sweep.json, sweep.csv and
+/// report.html.
+/// @return the exit code
+/// @throws SceneError for runs, a reference, targets or times that can't be used
 int run_sweep(const SweepRequest& request, const SweepOptions& options);
 
-/// One task of a sweep, in a process of its own: told by JSON on the standard input.
+/// Does one task of a sweep, which JSON on the standard input describes. A sweep starts a process
+/// for each of its tasks, which calls this.
+/// @return the exit code
 int run_sweep_job();
 
 }  // namespace spindrift::app

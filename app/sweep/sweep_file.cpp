@@ -10,14 +10,14 @@
 namespace spindrift::app {
 namespace {
 
-/// Whether it has a key of sweep files; no scene has one of these.
+/// Whether a document has a key of sweep files, none of which is a key of scenes.
 bool is_sweep(const Json& root) {
   const auto keys = keys_of<SweepFile>();
   return root.is_object() &&
          std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return root.contains(key); });
 }
 
-/// The alternatives of a key of the grid.
+/// The alternatives of one key of the grid.
 SweepAxis axis_of(const Keyed<NonEmpty<Placed<Json>>>& list) {
   SweepAxis axis;
   for (const auto& [value, place] : list.value)

@@ -1,4 +1,4 @@
-// Sweep files: a scene and what of it is varied, as JSON.
+// Sweep files: JSON files that name a scene and the values of its keys that a sweep runs it with.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace spindrift::app {
 
-/// What a sweep file holds. What is left out is empty.
+/// The contents of a sweep file; keys that the file leaves out are empty.
 struct SweepFile {
-  std::string scene;                                ///< scene file, from the sweep file's folder
-  SweepValues set;                                  ///< of all runs
-  std::vector<Keyed<NonEmpty<Placed<Json>>>> grid;  ///< every combination runs
-  NonEmpty<SweepValues> list;                       ///< each entry runs
-  std::optional<LatinHypercube> latin_hypercube;    ///< each sample runs
+  std::string scene;  ///< path of the scene file from the sweep file's folder
+  SweepValues set;    ///< values of all runs
+  std::vector<Keyed<NonEmpty<Placed<Json>>>> grid;  ///< lists of values; every combination runs
+  NonEmpty<SweepValues> list;                       ///< rows of values; each row runs
+  std::optional<LatinHypercube> latin_hypercube;    ///< ranges of values; each sample runs
   std::string reference;                            ///< as in SweepRequest
   std::vector<SweepTarget> targets;                 ///< as in SweepRequest
   NonEmpty<double> times;                           ///< as in SweepRequest, s
@@ -43,11 +43,13 @@ inline constexpr auto table<SweepFile> = std::tuple{
           "when pictures are set side by side; five times, evenly spread, if left out", times,
           "s"}};
 
-/// Reads a file that is a sweep; nothing for one that is a scene. @throws SceneError for a file
-/// that can't be read, and with line, column and JSON path for a sweep that is not right
+/// Reads a sweep file.
+/// @return nothing for a file that is a scene
+/// @throws SceneError for a file that can't be read, and with line, column and JSON path for a
+/// sweep that is wrong
 std::optional<SweepRequest> read_sweep_file(const std::filesystem::path& file);
 
-/// JSON schema (draft 7) of sweep files.
+/// The JSON schema (draft 7) of sweep files.
 Json sweep_schema();
 
 }  // namespace spindrift::app

@@ -10,15 +10,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// So many runs are compared each with each.
+/// The most runs of which each is compared with each.
 constexpr std::size_t few_runs = 12;
 
+/// Whether the pictures of two runs have the same size and frame rate.
 bool comparable(const SweepRun& a, const SweepRun& b) {
   const VideoConfig &u = a.scene.video, &v = b.scene.video;
   return u.width == v.width && u.height == v.height && u.frames_per_second == v.frames_per_second;
 }
 
-/// All that a run's video depends on.
+/// A hash of all that a run's video depends on.
 std::string video_hash(const SweepRun& run) {
   return text_hash(SPINDRIFT_VERSION + run.simulation + to_json(run.scene).dump());
 }

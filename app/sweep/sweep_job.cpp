@@ -31,7 +31,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keeps in a file for how many seconds something has been at work, in all its sittings.
+/// Keeps in a file for how many seconds something has been at work, in all its sittings. The file
+/// is up to date to half a second even where the process is killed.
 class Stopwatch {
  public:
   explicit Stopwatch(fs::path file) : file_(std::move(file)) {
@@ -88,7 +89,7 @@ RenderOptions options_of(const Json& job) {
   options.output = job.at("output").get<std::string>();
   options.threads = job.at("threads");
   options.scene_file = job.at("scene_file").get<std::string>();
-  options.replace = true;  // the sweep's folder is for whatever the sweep is now
+  options.replace = true;  // the folder may hold results of the sweep as it was before
   options.quiet = true;
   return options;
 }
@@ -96,7 +97,7 @@ RenderOptions options_of(const Json& job) {
 int simulate(const Json& job, const FolderLock& lock) {
   Scene scene = scene_of(job);
   if (scene.probes_rate == 0)
-    scene.probes.clear();  // read from the kept frames, by each run its own
+    scene.probes.clear();  // each run reads its own probes from the kept frames
   RenderOptions options = options_of(job);
   options.simulate_only = true;
   const Stopwatch stopwatch(options.output / seconds_file);
@@ -113,7 +114,7 @@ int compare_runs(const Json& job) {
   const fs::path a = job.at("a").get<std::string>(), b = job.at("b").get<std::string>();
   const fs::path output = job.at("output").get<std::string>();
   const Json& of = job.at("of");
-  fs::remove(output / differences_file);  // it would speak for other pictures
+  fs::remove(output / differences_file);  // it is about the pictures as they were
   compare::Tally all;
   Json frames = Json::array();
   for (const int number : of.at("frames")) {
@@ -134,7 +135,8 @@ int compare_runs(const Json& job) {
   return done;
 }
 
-/// The first line of what a program complained about.
+/// Why a child process failed: the first line of what it wrote to standard error, or else how it
+/// ended.
 std::string complaint(const ProcessResult& child) {
   constexpr std::string_view prefix = "spindrift: ";
   std::string line = child.err.substr(0, child.err.find('\n'));
@@ -183,14 +185,15 @@ std::string do_apart(const Json& job, const std::atomic<bool>& stop) {
 }
 
 int run_sweep_job() {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing is left of a sweep that was ended
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no child outlives its sweep
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   const Json job = Json::parse(text);
   if (::getppid() != job.at("parent").get<int>())
-    return run_failed;  // it was ended before
+    return run_failed;  // the sweep ended before prctl was called
   const int threads = job.at("threads");
   omp_set_num_threads(threads);
-  ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0);  // of Mesa's software renderer
+  // Mesa's software renderer reads this.
+  ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0);
   const fs::path output = job.at("output").get<std::string>();
   const FolderLock lock(output, true);
   require_threads(threads_of_run(threads));

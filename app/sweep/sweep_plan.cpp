@@ -19,15 +19,16 @@ namespace spindrift::app {
 namespace {
 
 constexpr std::size_t most_runs = 10'000;
-constexpr std::size_t most_letters = 40;  // of a value in a folder's name
-constexpr std::size_t picture_count = 5;
+constexpr std::size_t most_letters = 40;  // in a value in a folder's name
+constexpr std::size_t picture_count = 5;  // pictures set side by side where no times are given
 
 std::string last_part(const std::string& key) {
   const auto dot = key.rfind('.');
   return dot == std::string::npos ? key : key.substr(dot + 1);
 }
 
-/// A value as a part of a folder's name. What can't be told from it is told by a hash.
+/// A value as a part of a folder's name. A value that is too long for it, or has other characters
+/// than it may, is replaced by a hash.
 std::string name_of(const Json& value) {
   std::string text;
   if (value.is_string())
@@ -45,7 +46,8 @@ std::string name_of(const Json& value) {
   return readable ? text : text_hash(value.dump()).substr(0, 8);
 }
 
-/// The names by which keys are called: their last parts, where those differ.
+/// The names that stand for keys in folders' names: their last parts where those differ, else the
+/// whole keys.
 std::map<std::string, std::string> short_names(const std::vector<std::string>& keys) {
   std::map<std::string, int> uses;
   for (const std::string& key : keys)
@@ -62,12 +64,13 @@ std::string run_name(const SweepValues& values, const std::map<std::string, std:
     text += fmt::format("{}{}={}", text.empty() ? "" : ",", names.at(v.key), name_of(v.value));
   if (text.empty())
     return "unchanged";
-  constexpr std::size_t most = 150;  // two of them make the name of a comparison
+  constexpr std::size_t most = 150;  // the name of a comparison's folder has two names
   return text.size() <= most ? text : text_hash(text).substr(0, 16);
 }
 
-/// What is wrong with a run's scene, told where the value stands in the sweep instead of how it was
-/// handed over; where it is about no one value, with the run's name.
+/// A problem of a run's scene as a problem of the sweep: at the place where the value stands in the
+/// sweep or, for a problem that no value of the sweep has, with the run's name.
+/// @param all all values of the run, in the order of `overrides`
 Problem in_the_sweep(const Problem& problem, const std::string& run, const SweepValues& all,
                      const std::vector<std::string>& overrides) {
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -76,12 +79,14 @@ Problem in_the_sweep(const Problem& problem, const std::string& run, const Sweep
   return {problem.place, problem.path, fmt::format("{} (in the run {})", problem.message, run)};
 }
 
-/// Reads the scenes of runs, and gathers what is wrong with them.
+/// Reads the scenes of runs, and gathers their problems.
 class RunReader {
  public:
   explicit RunReader(const std::filesystem::path& file) : file_(file) {}
 
-  /// The scene; none where it can't be used.
+  /// Reads the scene of a run.
+  /// @param all all values of the run
+  /// @return nothing for a scene that can't be used
   std::optional<Scene> read(const std::string& name, const SweepValues& all) {
     Overrides overrides;
     for (const SweepValue& v : all)
@@ -90,8 +95,8 @@ class RunReader {
       return read_scene(file_, overrides);
     } catch (const SceneError& error) {
       for (const Problem& problem : error.problems())
-        if (told_.insert(problem.text())
-                .second)  // a run that is wrong in the same way says no more
+        // A problem that several runs share is told once.
+        if (told_.insert(problem.text()).second)
           problems_.push_back(in_the_sweep(problem, name, all, overrides));
       return std::nullopt;
     }
@@ -105,8 +110,9 @@ class RunReader {
   std::vector<Problem> problems_;
 };
 
-/// Between frames probes are read while the liquid is simulated; so runs that read others then have
-/// a simulation of their own.
+/// The name of the folder of a scene's simulation. Probes that are read between frames are read
+/// while the liquid is simulated, so that runs with other such probes need a simulation of their
+/// own.
 std::string simulation_name(const Scene& scene) {
   std::string name = simulation_hash(scene);
   if (!scene.probes.empty() && scene.probes_rate > 0)
@@ -124,8 +130,9 @@ std::vector<std::string> varying_keys(const std::vector<SweepAxis>& axes) {
   return keys;
 }
 
-/// A key that varies must not be on two axes: one would undo the other. Of values that hold for all
-/// runs the last one counts, as in the other commands.
+/// Refuses axes that make fewer than two runs or too many, or that vary a key twice: one would undo
+/// the other. Of several values for all runs, the last one counts, as in the other commands.
+/// @throws SceneError
 void check_axes(const std::vector<SweepAxis>& axes) {
   std::map<std::string, std::pair<std::size_t, std::string>> first;
   std::size_t runs = 1;
@@ -148,7 +155,8 @@ void check_axes(const std::vector<SweepAxis>& axes) {
         "nothing varies: give a key two values or more, as in --set fluid.viscosity=0.01,0.1");
 }
 
-/// Each combination, the last axis' alternatives changing fastest.
+/// Calls f(all, varied) for each combination of the axes' alternatives, with all its values and
+/// with those that vary. The alternatives of the last axis change fastest.
 template <class F>
 void for_each_combination(const std::vector<SweepAxis>& axes, F f) {
   std::vector<std::size_t> at(axes.size(), 0);
@@ -169,7 +177,8 @@ void for_each_combination(const std::vector<SweepAxis>& axes, F f) {
   }
 }
 
-/// Whether a run has all of the values that "viscosity=0.1,style=mesh" names.
+/// Whether a run has all wanted values, such as those of "viscosity=0.1,style=mesh".
+/// @param wanted axes with one value each, whose keys may be given by their last parts
 bool has_values(const SweepRun& run, const std::vector<SweepAxis>& wanted) {
   const auto has = [&](const SweepValue& w) {
     return std::any_of(run.values.begin(), run.values.end(), [&](const SweepValue& v) {
@@ -180,7 +189,7 @@ bool has_values(const SweepRun& run, const std::vector<SweepAxis>& wanted) {
                      [&](const SweepAxis& axis) { return has(axis.front().front()); });
 }
 
-/// "a=1,b=[2,3]" as its assignments.
+/// The assignments in a text such as "a=1,b=[2,3]"; none where a part of it is no assignment.
 std::vector<SweepAxis> assignments_of(const std::string& text) {
   std::vector<SweepAxis> all;
   std::string key;
@@ -194,6 +203,8 @@ std::vector<SweepAxis> assignments_of(const std::string& text) {
   return all;
 }
 
+/// The index of the run that a name, or values such as "viscosity=0.1", stand for.
+/// @throws SceneError where no run, or more than one, is meant
 std::size_t find_reference(const std::string& text, const std::vector<SweepRun>& runs) {
   std::vector<std::string_view> names;
   for (const SweepRun& run : runs)
@@ -215,8 +226,8 @@ std::size_t find_reference(const std::string& text, const std::vector<SweepRun>&
       suggestion(text, std::span(names).first(std::min<std::size_t>(names.size(), 20)))));
 }
 
-/// Five, evenly over the shortest video, its end included and its start, where all are the same,
-/// not.
+/// The times, s, of five pictures, spread evenly over the shortest video. They include its end but
+/// not its start, where all runs are the same.
 std::vector<double> picture_times(const SweepPlan& plan) {
   double last = plan.runs.front().scene.video.duration;
   for (const SweepRun& run : plan.runs) {

@@ -1,4 +1,4 @@
-// Which runs a sweep has: every combination of the values it was given.
+// The plan of a sweep: one run for every combination of the values it was given.
 #pragma once
 
 #include <filesystem>
@@ -12,49 +12,55 @@
 
 namespace spindrift::app {
 
-/// A scene's key, such as fluid.viscosity, and what it is to be.
+/// A key of a scene, such as fluid.viscosity, and the value that it is to have.
 using SweepValue = Keyed<Json>;
 using SweepValues = std::vector<SweepValue>;
 
-/// Alternatives, of which each run takes one: the values of one key, or rows of several keys.
+/// Alternatives of which each run takes one: values of one key, or rows of values of several keys.
 using SweepAxis = std::vector<SweepValues>;
 
-/// A figure of a run, by the name of its metric, and the value that it is to come close to.
+/// The name of a metric, and the value that the runs' figures are to come close to.
 using SweepTarget = Keyed<double>;
 
-/// What is asked for on the command line or in a sweep file.
+/// A sweep as the command line or a sweep file asks for it.
 struct SweepRequest {
   std::filesystem::path scene = {};
-  std::vector<SweepAxis> axes = {};  ///< one with a single alternative holds for all runs
-  std::string reference = {};  ///< a run's name, or values that one run alone has; empty: none
+  std::vector<SweepAxis> axes = {};  ///< an axis with one alternative is for all runs
+  std::string reference = {};        ///< a run's name, or values that only one run has; empty: none
   std::vector<SweepTarget> targets = {};
-  std::vector<double> times = {};  ///< of the pictures that are set side by side, s; empty: five
+  std::vector<double> times = {};  ///< times of the pictures set side by side, s; empty: five times
 };
 
+/// One run of a sweep.
 struct SweepRun {
-  std::string name;        ///< of its folder: its values
-  SweepValues values;      ///< of the keys that vary
-  Scene scene;             ///< resolved
+  std::string name;        ///< name of its folder, made of its values
+  SweepValues values;      ///< values of the keys that vary
+  Scene scene;             ///< the scene with all its values
   std::string simulation;  ///< name of the simulation's folder; runs with the same name share it
 };
 
+/// All runs of a sweep, and how they are held against each other.
 struct SweepPlan {
   std::filesystem::path scene_file;
-  std::vector<std::string> keys;  ///< that vary
+  std::vector<std::string> keys;  ///< keys of the scene that vary
   std::vector<SweepRun> runs;
-  std::optional<std::size_t> reference;  ///< number of the run that all are compared with
+  std::optional<std::size_t> reference;  ///< index of the run that all are compared with
   std::vector<SweepTarget> targets;
-  std::vector<double> times;  ///< s
+  std::vector<double> times;  ///< times of the pictures set side by side, s
 };
 
-/// The alternatives of `KEY=VALUE,VALUE,...`; commas within brackets or quotes part nothing.
-/// @throws SceneError
+/// Reads the alternatives of `KEY=VALUE,VALUE,...`. Commas within brackets or quotes belong to a
+/// value.
+/// @throws SceneError for a text that has no such form
 SweepAxis parse_sweep_axis(const std::string& assignment);
 
-/// `METRIC=VALUE`. @throws SceneError
+/// Reads a target of the form `METRIC=NUMBER`.
+/// @throws SceneError for a text that has no such form
 SweepTarget parse_sweep_target(const std::string& text);
 
-/// All runs, each read and checked. @throws SceneError for what can't be run, with its place
+/// Makes the plan of a sweep, and reads and checks the scene of each run.
+/// @throws SceneError with all problems of the scenes, each with its place; and for values that
+/// make too many runs or none that differ, and for a reference or times that no run has
 SweepPlan plan_sweep(const SweepRequest& request);
 
 }  // namespace spindrift::app

@@ -1,4 +1,4 @@
-// The page that shows a sweep.
+// The HTML report of a sweep.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace spindrift::app {
 
-/// The whole page, in one text; it shows the videos and pictures that lie beside it.
-/// @param results those of results_json(), with what else the page shows
+/// The whole page in one text. It shows the videos and pictures that lie beside it.
+/// @param results the results of results_json(), with the curves of the probes in each run
 std::string sweep_html(const Json& results);
 
 }  // namespace spindrift::app

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_curve_points = 400;
 
-/// A figure that every run has, and where run.json has it; empty: it does not.
+/// A metric that every run has, and the key of its figure in run.json; empty where run.json has
+/// none.
 struct RunFigure {
   SweepMetric metric;
   std::string in_report;
@@ -39,7 +40,7 @@ const std::vector<RunFigure>& run_figures() {
   return figures;
 }
 
-/// The numbers of a column; NaN where a cell is empty, or no number.
+/// The numbers in a column's cells; NaN where a cell is empty or no number.
 std::vector<double> numbers_in(const std::vector<std::string>& cells) {
   std::vector<double> numbers;
   for (const std::string& cell : cells) {
@@ -67,7 +68,8 @@ ProbeSummary summary_of(const std::vector<double>& values) {
   return s;
 }
 
-/// Of many readings every so-many-th, so that a page of many runs stays small.
+/// A list of at most `most_curve_points` of the values, evenly spread, so that the page of a sweep
+/// of many runs stays small.
 Json thinned(const std::vector<double>& values) {
   Json list = Json::array();
   const std::size_t every = values.size() / most_curve_points + 1;
@@ -76,7 +78,7 @@ Json thinned(const std::vector<double>& values) {
   return list;
 }
 
-/// Takes what probes.csv has, where there is one.
+/// Adds the figures and curves of a probes.csv, where there is one.
 void read_probe_figures(const fs::path& file, SweepResult& result) {
   if (!fs::is_regular_file(file))
     return;
@@ -93,7 +95,7 @@ void read_probe_figures(const fs::path& file, SweepResult& result) {
   }
 }
 
-/// A number of an object; 0 where it has none of that name.
+/// The number that an object has under a name; 0 where it has none.
 double number_in(const Json& json, const std::string& name) {
   const Json value = json.is_object() ? json.value(name, Json()) : Json();
   return value.is_number() ? value.get<double>() : 0.;
@@ -114,8 +116,9 @@ void read_run(const SweepRun& run, const SweepFolder& folder, SweepResult& resul
     read_probe_figures(folder.run(run) / "probes.csv", result);
 }
 
-/// Each target's difference as a part of the target, or as it is where that is 0; their mean square
-/// root.
+/// The distance of a run from the targets: the root mean square of its differences from them, each
+/// as a part of the target, or as it is where the target is 0. Nothing where the run lacks a
+/// figure.
 std::optional<double> distance_of(const SweepPlan& plan, const SweepResult& result) {
   double sum = 0;
   for (const SweepTarget& target : plan.targets) {

@@ -1,4 +1,4 @@
-// What the runs of a sweep gave, read from their folders.
+// The results of a sweep's runs, which are read from their folders, and the tables made of them.
 #pragma once
 
 #include <map>
@@ -10,47 +10,53 @@
 
 namespace spindrift::app {
 
-/// A figure of a run: a column of the table.
+/// A kind of figure that runs have: a column of the table.
 struct SweepMetric {
-  std::string name;   ///< on the command line and in sweep.json
-  std::string title;  ///< for people
+  std::string name;   ///< name on the command line and in sweep.json
+  std::string title;  ///< name for people
   std::string unit = {};
 };
 
-/// The figures that a plan's runs can have, those of their probes included.
+/// The metrics of a plan's runs, those of their probes included.
 std::vector<SweepMetric> metrics_of(const SweepPlan& plan);
 
-/// @throws SceneError for a target that no run can have
+/// Checks that each target of a plan names one of its metrics.
+/// @throws SceneError for a target that does not, with the nearest names
 void check_targets(const SweepPlan& plan);
 
-/// One column of probes.csv over time.
+/// Figures of one column of probes.csv over time.
 struct ProbeSummary {
-  double last = 0, min = 0, max = 0, mean = 0;  ///< of the readings that were taken
+  double last = 0, min = 0, max = 0, mean = 0;  ///< figures of the readings that are not empty
 };
 
+/// The results of one run.
 struct SweepResult {
-  std::string failure;  ///< empty: the run is done, or was not begun
+  std::string failure;  ///< why the run failed; empty: it is done, or was not begun
   bool complete = false;
-  std::map<std::string, double> figures;  ///< by the metric's name; those that the run has
+  std::map<std::string, double> figures;  ///< figures that the run has, by the metric's name
   Json curves;                            ///< probes over time: {"time_s": [...], "front_m": [...]}
-  std::optional<double> distance;         ///< from the targets; least is nearest
+  std::optional<double> distance;         ///< distance from the targets; least is nearest
 };
 
-/// @param failures one for each run; empty: none
+/// Reads the results of all runs of a plan.
+/// @param failures why each run failed; an empty text for those that did not
 std::vector<SweepResult> read_results(const SweepPlan& plan, const SweepFolder& folder,
                                       const std::vector<std::string>& failures);
 
-/// All of it for machines. What depends on the machine's speed are the figures called seconds.
+/// The whole sweep as JSON, for programs. Only the figures whose names end in seconds depend on the
+/// machine's speed.
 Json results_json(const SweepPlan& plan, const SweepFolder& folder,
                   const std::vector<SweepResult>& results);
 
-/// A line for each run.
+/// The figures as CSV: a header, and a line for each run.
 std::string results_csv(const SweepPlan& plan, const std::vector<SweepResult>& results);
 
-/// Run numbers: those nearest to the targets first, where there are any, failed ones last.
+/// The indices of the runs: where the plan has targets, the nearest to them first and runs without
+/// the figures last; else in the order of the plan.
 std::vector<std::size_t> ranked(const SweepPlan& plan, const std::vector<SweepResult>& results);
 
-/// What a run has for a key that varies, also where the run leaves it as the scene has it.
+/// The value that a run has for a key that varies, also where the run leaves it as the scene has
+/// it.
 Json value_of(const SweepRun& run, const std::string& key);
 
 }  // namespace spindrift::app

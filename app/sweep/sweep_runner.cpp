@@ -18,6 +18,7 @@ constexpr double seconds_per_compared_pixel = 4e-7;
 
 enum class TaskKind { simulate, draw, compare };
 
+/// The tasks of a sweep that are not done yet: simulations, then drawings, then comparisons.
 class Schedule {
  public:
   Schedule(const SweepPlan& plan, const SweepFolder& folder, const SweepRoom& room,
@@ -27,7 +28,7 @@ class Schedule {
     for (const SweepRun& run : plan.runs)
       ++simulations[run.simulation];
     const int most = room.jobs > 0 ? std::min(room.jobs, room.threads) : room.threads;
-    // The same for every run, so that their times can be compared.
+    // All runs have the same number of threads, so that their times can be compared.
     threads_ = room.threads / std::min(most, static_cast<int>(simulations.size()));
     at_once_ = std::min(most, room.threads / threads_);
     add_simulations();
@@ -70,7 +71,8 @@ class Schedule {
     return tasks_.size() - 1;
   }
 
-  /// Of runs that share a simulation, the one with the longest video says how far it goes.
+  /// Adds a task for each simulation that is not done. Of the runs that share it, the one with the
+  /// longest video says how far it goes.
   void add_simulations() {
     std::map<std::string, const SweepRun*> longest;
     for (const SweepRun& run : plan_.runs) {
@@ -131,8 +133,10 @@ class Schedule {
   int at_once_ = 1, threads_ = 1;
   std::vector<Task> tasks_;
   std::vector<TaskKind> kinds_;
-  std::map<std::string, std::size_t> simulations_;    ///< tasks, by the folder's name
-  std::vector<std::optional<std::size_t>> drawings_;  ///< tasks, for each run
+  /// Indices of the tasks that simulate, by the name of the simulation's folder.
+  std::map<std::string, std::size_t> simulations_;
+  /// Index of the task that draws each run; none where it is drawn already.
+  std::vector<std::optional<std::size_t>> drawings_;
 };
 
 }  // namespace
