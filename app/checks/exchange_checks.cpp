@@ -24,33 +24,33 @@ namespace {
 
 constexpr float least_width = 2.f;  // of an opening, in particle spacings
 
-std::optional<Complaint> check_direction(const glm::vec3& direction, const std::string& path) {
+std::optional<Diagnostic> check_direction(const glm::vec3& direction, const std::string& path) {
   if (glm::length(direction) < 1e-6f)
-    return Complaint{child_path(path, "direction"), "has no length"};
+    return Diagnostic{child_path(path, "direction"), "has no length"};
   return std::nullopt;
 }
 
-std::optional<Complaint> check_width(float width, float spacing, const std::string& path) {
+std::optional<Diagnostic> check_width(float width, float spacing, const std::string& path) {
   if (width < 0.999f * least_width * spacing)
-    return Complaint{path,
-                     fmt::format("the opening is {:g} m wide; at least {:g} particle spacings "
-                                 "({:g} m) are needed",
-                                 width, least_width, least_width * spacing)};
+    return Diagnostic{path,
+                      fmt::format("the opening is {:g} m wide; at least {:g} particle spacings "
+                                  "({:g} m) are needed",
+                                  width, least_width, least_width * spacing)};
   return std::nullopt;
 }
 
-std::optional<Complaint> check(const sim::Disc& disc, float spacing, const std::string& path) {
+std::optional<Diagnostic> check(const sim::Disc& disc, float spacing, const std::string& path) {
   if (auto wrong = check_direction(disc.direction, path))
     return wrong;
   return check_width(2 * disc.radius, spacing, child_path(path, "radius"));
 }
 
-std::optional<Complaint> check(const sim::Rectangle& r, float spacing, const std::string& path) {
+std::optional<Diagnostic> check(const sim::Rectangle& r, float spacing, const std::string& path) {
   if (auto wrong = check_direction(r.direction, path))
     return wrong;
   const glm::vec3 across = glm::cross(r.up, glm::normalize(r.direction));
   if (glm::length(across) <= 1e-4f * glm::length(r.up))
-    return Complaint{
+    return Diagnostic{
         child_path(path, "up"),
         fmt::format("{} is along the direction {}", vector_text(r.up), vector_text(r.direction))};
   if (auto wrong = check_width(r.width, spacing, child_path(path, "width")))
@@ -60,31 +60,31 @@ std::optional<Complaint> check(const sim::Rectangle& r, float spacing, const std
 
 /// Checks that particles half a spacing beyond the opening are in the domain and outside of fixed
 /// obstacles.
-std::optional<Complaint> check_place(const sim::Settings& s, const sim::Opening& opening,
-                                     const std::string& path) {
+std::optional<Diagnostic> check_place(const sim::Settings& s, const sim::Opening& opening,
+                                      const std::string& path) {
   const glm::vec3 ahead = 0.5f * s.fluid.spacing * sim::direction_of(opening);
   const float tolerance = 1e-3f * s.fluid.spacing;
   for (const glm::vec3& point : sim::fill_opening(opening, s.fluid.spacing).points) {
     const glm::vec3 p = point + ahead;
     if (glm::any(glm::lessThan(p, s.domain.min - tolerance)) ||
         glm::any(glm::greaterThan(p, s.domain.max + tolerance)))
-      return Complaint{
+      return Diagnostic{
           path, fmt::format("the particle that comes out at {} is outside the domain "
                             "{} ... {}; move center or turn direction",
                             vector_text(p), vector_text(s.domain.min), vector_text(s.domain.max))};
     for (std::size_t k = 0; k < s.obstacles.size(); ++k)
       if (!s.obstacles[k].motion && sim::is_inside(s.obstacles[k].shape, p))
-        return Complaint{path, fmt::format("the particle that comes out at {} is inside "
-                                           "obstacles[{}]; move center out of it",
-                                           vector_text(p), k)};
+        return Diagnostic{path, fmt::format("the particle that comes out at {} is inside "
+                                            "obstacles[{}]; move center out of it",
+                                            vector_text(p), k)};
   }
   return std::nullopt;
 }
 
 /// Checks that no moving obstacle enters the nozzle while it is open. A fixed obstacle may contain
 /// the nozzle, which then removes the obstacle's boundary particles in its way.
-std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitter,
-                                   const std::string& path) {
+std::optional<Diagnostic> check_way(const Scene& scene, const sim::Emitter& emitter,
+                                    const std::string& path) {
   const sim::Settings& s = scene.simulation;
   const sim::Nozzle nozzle(emitter, s.fluid.spacing);
   const std::vector<glm::vec3> points = sim::fill_opening(emitter.opening, s.fluid.spacing).points;
@@ -100,10 +100,11 @@ std::optional<Complaint> check_way(const Scene& scene, const sim::Emitter& emitt
         for (int layer = -sim::Nozzle::depth; layer <= 1; ++layer) {
           const glm::dvec3 p(point + static_cast<float>(layer) * step);
           if (sim::is_inside(s.obstacles[k].shape, glm::vec3(back * (p - pose.translation))))
-            return Complaint{path, fmt::format("obstacles[{}], which moves, is in the nozzle, four "
-                                               "spacings behind the opening, at {:g} s; move "
-                                               "either out of the other's way",
-                                               k, time)};
+            return Diagnostic{path,
+                              fmt::format("obstacles[{}], which moves, is in the nozzle, four "
+                                          "spacings behind the opening, at {:g} s; move "
+                                          "either out of the other's way",
+                                          k, time)};
         }
     }
   return std::nullopt;
@@ -197,8 +198,8 @@ WayOut way_out(const Room& room, float spacing, const glm::vec3& place, float mo
 /// with 1.3 the liquid is compressed by 7 %, with 1.0 by 25 %. In front of the face that the nozzle
 /// comes out of, the limits hold where the nozzle is turned by 20° from the face's normal, but not
 /// always at 30°.
-std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening& opening,
-                                     const std::string& path) {
+std::optional<Diagnostic> check_walls(const sim::Settings& s, const sim::Opening& opening,
+                                      const std::string& path) {
   constexpr float needed = 1.5f, behind = 0.5f;  // spacings
   constexpr float most_turned = 20, roughness = 5, deg = std::numbers::pi_v<float> / 180;
   const float margin = behind * s.fluid.spacing;
@@ -231,7 +232,7 @@ std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening&
     }
   if (least >= needed)
     return std::nullopt;
-  return Complaint{
+  return Diagnostic{
       path,
       fmt::format("the nozzle, four spacings behind the opening, lies in a wall that is too thin, "
                   "or comes out of it aslant: at {} liquid can be {:g} spacings ({:g} m) from it, "
@@ -242,8 +243,8 @@ std::optional<Complaint> check_walls(const sim::Settings& s, const sim::Opening&
                   needed * s.fluid.spacing, most_turned)};
 }
 
-std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& emitter,
-                                       const std::string& path) {
+std::optional<Diagnostic> check_emitter(const Scene& scene, const sim::Emitter& emitter,
+                                        const std::string& path) {
   const sim::Settings& s = scene.simulation;
   const std::string opening_path =
       child_path(path, alternative_names<sim::Opening>[emitter.opening.index()]);
@@ -252,8 +253,8 @@ std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& e
                      emitter.opening))
     return wrong;
   if (!(emitter.from < emitter.to))
-    return Complaint{child_path(path, "to"),
-                     fmt::format("{:g} s is not after from ({:g} s)", emitter.to, emitter.from)};
+    return Diagnostic{child_path(path, "to"),
+                      fmt::format("{:g} s is not after from ({:g} s)", emitter.to, emitter.from)};
   if (auto wrong = check_place(s, emitter.opening, opening_path))
     return wrong;
   if (auto wrong = check_walls(s, emitter.opening, opening_path))
@@ -264,16 +265,16 @@ std::optional<Complaint> check_emitter(const Scene& scene, const sim::Emitter& e
   if (nozzle.layer_count() > 0)
     return std::nullopt;
   if (emitter.max_particles > 0 && emitter.max_particles < static_cast<int>(nozzle.layer_size()))
-    return Complaint{child_path(path, "max_particles"),
-                     fmt::format("{} is less than the {} of one layer", emitter.max_particles,
-                                 nozzle.layer_size())};
-  return Complaint{child_path(path, "to"),
-                   fmt::format("from {:g} to {:g} s at {:g} m/s liquid goes less than half a "
-                               "spacing: nothing comes out",
-                               emitter.from, emitter.to, emitter.speed)};
+    return Diagnostic{child_path(path, "max_particles"),
+                      fmt::format("{} is less than the {} of one layer", emitter.max_particles,
+                                  nozzle.layer_size())};
+  return Diagnostic{child_path(path, "to"),
+                    fmt::format("from {:g} to {:g} s at {:g} m/s liquid goes less than half a "
+                                "spacing: nothing comes out",
+                                emitter.from, emitter.to, emitter.speed)};
 }
 
-void check_open_faces(const sim::DomainSettings& domain, std::vector<Complaint>& wrong) {
+void check_open_faces(const sim::DomainSettings& domain, std::vector<Diagnostic>& wrong) {
   for (std::size_t i = 0; i < domain.open.size(); ++i)
     if (std::find(domain.open.begin(), domain.open.begin() + static_cast<std::ptrdiff_t>(i),
                   domain.open[i]) != domain.open.begin() + static_cast<std::ptrdiff_t>(i))
@@ -285,8 +286,8 @@ void check_open_faces(const sim::DomainSettings& domain, std::vector<Complaint>&
 
 }  // namespace
 
-std::vector<Complaint> check_exchange(const Scene& scene) {
-  std::vector<Complaint> wrong;
+std::vector<Diagnostic> check_exchange(const Scene& scene) {
+  std::vector<Diagnostic> wrong;
   const auto& emitters = scene.simulation.fluid.emitters;
   for (std::size_t i = 0; i < emitters.size(); ++i)
     if (auto first = check_emitter(scene, emitters[i], child_path("fluid.emitters", i)))

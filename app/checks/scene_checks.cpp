@@ -218,7 +218,7 @@ class Checker {
   }
 
   void check_emitters() {
-    for (const Complaint& wrong : check_exchange(scene_))
+    for (const Diagnostic& wrong : check_exchange(scene_))
       complain(wrong.path, wrong.message);
   }
 

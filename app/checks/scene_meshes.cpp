@@ -106,8 +106,8 @@ void load_meshes(Scene& scene, const SceneDocument& document, const std::filesys
   throw_if_any(loader.problems());
 }
 
-std::vector<Complaint> mesh_warnings(const Scene& scene) {
-  std::vector<Complaint> warnings;
+std::vector<Diagnostic> mesh_warnings(const Scene& scene) {
+  std::vector<Diagnostic> warnings;
   for_each_shape(scene, [&](const sim::Shape& shape, const std::string& path) {
     const auto* mesh = std::get_if<sim::TriangleMesh>(&shape);
     const std::size_t shells = mesh ? geometry::inner_shells(mesh->body->surface()) : 0;

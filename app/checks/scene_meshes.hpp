@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/checks/exchange_checks.hpp"
+#include "app/checks/diagnostic.hpp"
 #include "app/scene/scene.hpp"
 #include "app/tables/document.hpp"
 
@@ -16,6 +16,6 @@ namespace spindrift::app {
 void load_meshes(Scene& scene, const SceneDocument& document, const std::filesystem::path& folder);
 
 /// A warning for every mesh of the scene that has cavities.
-std::vector<Complaint> mesh_warnings(const Scene& scene);
+std::vector<Diagnostic> mesh_warnings(const Scene& scene);
 
 }  // namespace spindrift::app

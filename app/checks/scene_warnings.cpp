@@ -26,7 +26,7 @@ class Warnings {
  public:
   explicit Warnings(const Scene& scene) : scene_(scene), settings_(scene.simulation) {}
 
-  std::vector<Complaint> take() {
+  std::vector<Diagnostic> take() {
     look_at_volumes();
     look_at_obstacles();
     for (std::size_t i = 0; i < settings_.fluid.emitters.size(); ++i)
@@ -144,20 +144,20 @@ class Warnings {
 
   const Scene& scene_;
   const sim::Settings& settings_;
-  std::vector<Complaint> found_;
+  std::vector<Diagnostic> found_;
 };
 
 }  // namespace
 
-std::vector<Complaint> warnings_of(const Scene& scene) {
-  std::vector<Complaint> found = mesh_warnings(scene);
-  for (Complaint& warning : Warnings(scene).take())
+std::vector<Diagnostic> warnings_of(const Scene& scene) {
+  std::vector<Diagnostic> found = mesh_warnings(scene);
+  for (Diagnostic& warning : Warnings(scene).take())
     found.push_back(std::move(warning));
   return found;
 }
 
 void print_warnings(const Scene& scene) {
-  for (const Complaint& warning : warnings_of(scene))
+  for (const Diagnostic& warning : warnings_of(scene))
     tell_warning(fmt::format("{}: {}", warning.path, warning.message));
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/checks/exchange_checks.hpp"
+#include "app/checks/diagnostic.hpp"
 #include "app/scene/scene.hpp"
 
 namespace spindrift::app {
@@ -12,7 +12,7 @@ namespace spindrift::app {
 /// with cavities, liquid that has no place (with the litres asked for and got), obstacles outside
 /// the domain, emitters that bring nothing, and a speed of sound (solver type sph) so low that the
 /// liquid would be compressed.
-std::vector<Complaint> warnings_of(const Scene& scene);
+std::vector<Diagnostic> warnings_of(const Scene& scene);
 
 /// Prints the warnings of a scene to standard error.
 void print_warnings(const Scene& scene);

@@ -28,10 +28,10 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
   const Estimate cost = estimate(scene, threads);
   const DiskEstimate disk = disk_estimate(scene, {}, cost);
   const nlohmann::ordered_json resolved = to_json(scene);
-  const std::vector<Complaint> warnings = warnings_of(scene);
+  const std::vector<Diagnostic> warnings = warnings_of(scene);
   if (json) {
     nlohmann::ordered_json told = nlohmann::ordered_json::array();
-    for (const Complaint& warning : warnings)
+    for (const Diagnostic& warning : warnings)
       told.push_back({{"path", warning.path}, {"message", warning.message}});
     const nlohmann::ordered_json report{
         {"scene", resolved},
@@ -61,7 +61,7 @@ int run_check(const Scene& scene, int threads, bool quiet, bool json) {
              bytes_text(disk.video));
   fmt::print("time        roughly {} with {} thread{}\n", rough_duration_text(cost.seconds),
              threads, threads == 1 ? "" : "s");
-  for (const Complaint& warning : warnings)
+  for (const Diagnostic& warning : warnings)
     fmt::print("warning     {}: {}\n", warning.path, warning.message);
   return done;
 }

@@ -205,7 +205,7 @@ TEST_CASE("a mesh with an inner shell is hollow whichever way that is turned, an
     const sim::Shape& shape = scene.simulation.obstacles[0].shape;
     CHECK(sim::is_inside(shape, glm::vec3(0.05f)));
     CHECK_FALSE(sim::is_inside(shape, glm::vec3(0.5f)));
-    const std::vector<Complaint> warnings = mesh_warnings(scene);
+    const std::vector<Diagnostic> warnings = mesh_warnings(scene);
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0].path == "obstacles[0].mesh");
     CHECK(warnings[0].message ==

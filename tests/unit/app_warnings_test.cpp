@@ -25,7 +25,7 @@ Scene tank(const std::string& entries, const std::string& fluid = R"(
 /// "path: message" of each warning, a line each.
 std::string warnings(const Scene& scene) {
   std::string text;
-  for (const Complaint& warning : warnings_of(scene))
+  for (const Diagnostic& warning : warnings_of(scene))
     text += warning.path + ": " + warning.message + "\n";
   return text;
 }
