@@ -6,12 +6,12 @@
 #include <set>
 #include <vector>
 
+#include "app/cache/disk_estimate.hpp"
+#include "app/cache/simulation_record.hpp"
 #include "app/commands/commands.hpp"
 #include "app/errors/errors.hpp"
 #include "app/files/folder_entries.hpp"
 #include "app/files/json_file.hpp"
-#include "app/kept/disk_estimate.hpp"
-#include "app/kept/simulation_record.hpp"
 #include "app/system/machine_limits.hpp"
 
 namespace spindrift::app {
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// The particle cache of one simulation.
-struct KeptSimulation {
+struct CachedSimulation {
   fs::path folder;    ///< folder of the particles, RUN/particles/HASH
   std::string scene;  ///< the scene's file, or its name where the file is unknown; may be empty
   int frames = 0;
@@ -40,31 +40,32 @@ double age_of(const fs::path& file) {
   return std::chrono::duration<double>(fs::file_time_type::clock::now() - written).count();
 }
 
-KeptSimulation described(const fs::path& folder, std::vector<fs::path> frames) {
-  KeptSimulation kept{.folder = folder,
-                      .scene = {},
-                      .frames = static_cast<int>(frames.size()),
-                      .bytes = folder_bytes(folder),
-                      .age = age_of(frames.front()),
-                      .used = false};
+CachedSimulation described(const fs::path& folder, std::vector<fs::path> frames) {
+  CachedSimulation cached{.folder = folder,
+                          .scene = {},
+                          .frames = static_cast<int>(frames.size()),
+                          .bytes = folder_bytes(folder),
+                          .age = age_of(frames.front()),
+                          .used = false};
   for (const fs::path& frame : frames)
-    kept.age = std::min(kept.age, age_of(frame));
+    cached.age = std::min(cached.age, age_of(frame));
   const Json record = json_in(folder / simulation_record_file);
-  const Json run = json_in(kept.run() / "run.json");
-  kept.scene = text_in(record, text_in(record, "scene_file").empty() ? "scene_name" : "scene_file");
-  kept.used = text_in(run, "simulation_hash") == folder.filename().string();
-  return kept;
+  const Json run = json_in(cached.run() / "run.json");
+  cached.scene =
+      text_in(record, text_in(record, "scene_file").empty() ? "scene_name" : "scene_file");
+  cached.used = text_in(run, "simulation_hash") == folder.filename().string();
+  return cached;
 }
 
 /// All particle caches below a folder, in the order of their paths.
-std::vector<KeptSimulation> kept_below(const fs::path& root) {
+std::vector<CachedSimulation> cached_below(const fs::path& root) {
   std::vector<fs::path> folders;
   std::error_code gone;
   for (const auto& entry : entries_below(root))
     if (entry.is_directory(gone) && entry.path().parent_path().filename() == "particles")
       folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
-  std::vector<KeptSimulation> found;
+  std::vector<CachedSimulation> found;
   for (const fs::path& folder : folders) {
     std::vector<fs::path> frames;
     for (const auto& entry : entries_in(folder))
@@ -83,21 +84,21 @@ std::string age_text(double seconds) {
                            : fmt::format("{:.0f} d", seconds / 86400);
 }
 
-Json kept_json(const KeptSimulation& kept) {
-  return {{"folder", kept.folder.string()}, {"scene", kept.scene},
-          {"frames", kept.frames},          {"bytes", kept.bytes},
-          {"age_seconds", kept.age},        {"used", kept.used}};
+Json cached_json(const CachedSimulation& cached) {
+  return {{"folder", cached.folder.string()}, {"scene", cached.scene},
+          {"frames", cached.frames},          {"bytes", cached.bytes},
+          {"age_seconds", cached.age},        {"used", cached.used}};
 }
 
 /// Removes a simulation's particles, unless a process is at work in its run's folder.
 /// @return whether they are gone
-bool remove(const KeptSimulation& kept) {
+bool remove(const CachedSimulation& cached) {
   try {
-    const FolderLock lock(kept.run(), false);
-    fs::remove_all(kept.folder);
+    const FolderLock lock(cached.run(), false);
+    fs::remove_all(cached.folder);
     return true;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "spindrift: {} stays: {}\n", kept.folder.string(), error.what());
+    fmt::print(stderr, "spindrift: {} stays: {}\n", cached.folder.string(), error.what());
     return false;
   }
 }
@@ -105,30 +106,30 @@ bool remove(const KeptSimulation& kept) {
 }  // namespace
 
 int run_cache(const CacheOptions& options) {
-  std::vector<KeptSimulation> chosen;
+  std::vector<CachedSimulation> chosen;
   std::set<fs::path> seen;  // a folder may be given by two names, or together with one above it
   for (const fs::path& folder : options.folders) {
     if (!fs::is_directory(folder))
       throw InputError(fmt::format("{}: there is no such folder", folder.string()));
-    for (KeptSimulation& kept : kept_below(folder))
-      if (seen.insert(fs::weakly_canonical(kept.folder)).second && kept.age >= options.older_than &&
-          !(options.unused && kept.used))
-        chosen.push_back(std::move(kept));
+    for (CachedSimulation& cached : cached_below(folder))
+      if (seen.insert(fs::weakly_canonical(cached.folder)).second &&
+          cached.age >= options.older_than && !(options.unused && cached.used))
+        chosen.push_back(std::move(cached));
   }
   bool all_removed = true;
   double sum = 0;
   Json json = Json::array();
-  for (const KeptSimulation& kept : chosen) {
-    const bool removed = options.remove && remove(kept);
+  for (const CachedSimulation& cached : chosen) {
+    const bool removed = options.remove && remove(cached);
     all_removed = all_removed && removed;
-    json.push_back(kept_json(kept));
+    json.push_back(cached_json(cached));
     json.back()["removed"] = removed;
     if (!options.remove || removed)
-      sum += static_cast<double>(kept.bytes);
+      sum += static_cast<double>(cached.bytes);
     if (!options.quiet && !options.json)
       fmt::print("{:>8}  {:>5} frames  {:>7} old  {:<6}  {}  {}\n",
-                 bytes_text(static_cast<double>(kept.bytes)), kept.frames, age_text(kept.age),
-                 kept.used ? "used" : "unused", kept.folder.string(), kept.scene);
+                 bytes_text(static_cast<double>(cached.bytes)), cached.frames, age_text(cached.age),
+                 cached.used ? "used" : "unused", cached.folder.string(), cached.scene);
   }
   if (options.json)
     fmt::print("{}\n", json.dump(1));

@@ -38,13 +38,13 @@ Mesh ObstacleMeshes::at(double time) const {
   return all;
 }
 
-std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> times) const {
+std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> instants) const {
   glm::dvec3 low(1e30), high(-1e30);
   for (const Part& part : parts_) {
     if (!part.obstacle.motion)
       continue;
     const sim::Box box = sim::bounds_of(part.obstacle.shape);
-    for (const double time : times) {
+    for (const double time : instants) {
       const sim::Pose pose = sim::pose_at(part.obstacle, time);
       for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p =
@@ -55,7 +55,7 @@ std::vector<glm::vec3> ObstacleMeshes::reach(std::span<const double> times) cons
       }
     }
   }
-  if (!moves_ || times.empty())
+  if (!moves_ || instants.empty())
     return {};
   const double rounding = 1e-4 * glm::distance(low, high);
   return {glm::vec3(low - rounding), glm::vec3(high + rounding)};

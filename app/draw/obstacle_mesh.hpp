@@ -26,9 +26,9 @@ class ObstacleMeshes {
   /// The triangles of all obstacles where they are at a time, s.
   Mesh at(double time) const;
 
-  /// Two opposite corners, m, of a box that contains the moving obstacles at all of the times, s;
-  /// empty where none moves.
-  std::vector<glm::vec3> reach(std::span<const double> times) const;
+  /// Two opposite corners, m, of a box that contains the moving obstacles at all of the instants,
+  /// s; empty where none moves.
+  std::vector<glm::vec3> reach(std::span<const double> instants) const;
 
  private:
   struct Part {

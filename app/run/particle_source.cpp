@@ -63,15 +63,15 @@ std::optional<ComingFrame> ParticleSource::next(int number) {
   if (InterruptGuard::requested())
     return std::nullopt;
   if (read_only_)
-    return kept(number, cache_->read(number));
-  if (std::optional<KeptFrame> found = cache_ ? cache_->find(number) : std::nullopt) {
+    return cached(number, cache_->read(number));
+  if (std::optional<CachedFrame> found = cache_ ? cache_->find(number) : std::nullopt) {
     if (number == 0)
       earlier_.take_over(cache_->read_record());
     if (simulation_)  // it filled a gap between cached frames; a later gap needs a new one
       earlier_ = record();
     simulation_.reset();
     last_ = found->frame;
-    return kept(number, std::move(*found));
+    return cached(number, std::move(*found));
   }
   const std::size_t readings_before = readings_.size();
   const auto begin = std::chrono::steady_clock::now();
@@ -89,9 +89,9 @@ std::optional<ComingFrame> ParticleSource::next(int number) {
   return coming;
 }
 
-KeptFrame ParticleSource::keep(int number, ComingFrame coming) const {
-  KeptFrame frame{coming.frame.get(), coming.statistics};
-  if (cache_ && !coming.kept)
+CachedFrame ParticleSource::keep(int number, ComingFrame coming) const {
+  CachedFrame frame{coming.frame.get(), coming.statistics};
+  if (cache_ && !coming.cached)
     cache_->write(number, frame);
   return frame;
 }
@@ -153,11 +153,11 @@ std::vector<double>::const_iterator ParticleSource::read_probes(
   return due;
 }
 
-ComingFrame ParticleSource::kept(int number, KeptFrame frame) {
+ComingFrame ParticleSource::cached(int number, CachedFrame frame) {
   const double time = frame.frame.time;
   const std::size_t particles = frame.frame.positions.size();
   particle_count_ = std::max(particle_count_, particles);
-  if (!add_kept_readings(number)) {
+  if (!add_cached_readings(number)) {
     if (!scene_.probes.empty())
       readings_.push_back(app::read_probes(scene_, frame.frame));
     ++read_once_;
@@ -181,7 +181,7 @@ void ParticleSource::keep_readings(int number, std::size_t first) const {
 
 /// Adds the readings that were written to the cache with a frame.
 /// @return whether they were there
-bool ParticleSource::add_kept_readings(int number) {
+bool ParticleSource::add_cached_readings(int number) {
   if (readings_name_.empty())
     return false;
   const std::optional<std::vector<double>> values = cache_->read_readings(number, readings_name_);

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/kept/particle_cache.hpp"
-#include "app/kept/run_options.hpp"
+#include "app/cache/particle_cache.hpp"
+#include "app/cache/run_options.hpp"
 #include "app/run/run_record.hpp"
 
 namespace spindrift::app {
@@ -19,7 +19,7 @@ struct ComingFrame {
   sim::FrameStatistics statistics;
   double time = 0;  ///< s
   std::size_t particle_count = 0;
-  bool kept = false;  ///< whether it was read from a file
+  bool cached = false;  ///< whether it was read from a file
 };
 
 /// The frames of one run, one after the other.
@@ -44,18 +44,18 @@ class ParticleSource {
 
   /// Waits for a frame, and writes it to the cache unless it came from there. It may be called from
   /// any thread, also while next() is at work on a later frame.
-  KeptFrame keep(int number, ComingFrame coming) const;
+  CachedFrame keep(int number, ComingFrame coming) const;
 
   /// Writes into the record how many frames were simulated, and how the particles came about.
   void finish(RunRecord& record) const;
 
  private:
-  ComingFrame kept(int number, KeptFrame frame);
+  ComingFrame cached(int number, CachedFrame frame);
   SimulationRecord record() const;
   bool start_simulation(int number);
   std::optional<ComingFrame> simulate(int number);
   void keep_readings(int number, std::size_t first) const;
-  bool add_kept_readings(int number);
+  bool add_cached_readings(int number);
   double time_of(int number) const;
   std::vector<double> readings_due(int number) const;
   std::vector<double>::const_iterator read_probes(const sim::Frame& frame,

@@ -245,20 +245,20 @@ class Pipeline {
   void keep_all(const ParticleSource& source, const FrameRange& range, Progress& progress) {
     while (auto coming = coming_.pop()) {
       const int number = coming->number;
-      KeptFrame kept = timed_keep(source, std::move(*coming));
+      CachedFrame cached = timed_keep(source, std::move(*coming));
       if (number < range.first)
         continue;
-      kept.frame = sim::in_sight(scene_.simulation, std::move(kept.frame));
+      cached.frame = sim::in_sight(scene_.simulation, std::move(cached.frame));
       if (options_.simulate_only) {
-        export_frame(options_, number, {scene_, kept.frame, {}});
+        export_frame(options_, number, {scene_, cached.frame, {}});
         progress.show("simulating", number, ++record_.frames_finished);
       } else {
-        particles_.push({number, std::move(kept.frame)});
+        particles_.push({number, std::move(cached.frame)});
       }
     }
   }
 
-  KeptFrame timed_keep(const ParticleSource& source, NumberedFrame coming) {
+  CachedFrame timed_keep(const ParticleSource& source, NumberedFrame coming) {
     const StageTimer timer(record_.stage_seconds["keep"]);
     return source.keep(coming.number, std::move(coming.frame));
   }

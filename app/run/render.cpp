@@ -3,9 +3,9 @@
 
 #include <exception>
 
+#include "app/cache/resource_check.hpp"
 #include "app/errors/error_report.hpp"
 #include "app/errors/errors.hpp"
-#include "app/kept/room.hpp"
 #include "app/run/pipeline.hpp"
 #include "app/run/render.hpp"
 #include "app/run/report.hpp"
@@ -39,7 +39,7 @@ void tell_about_probes(const Scene& scene, const RenderOptions& options, const R
 }  // namespace
 
 int run_render(const Scene& scene, const RenderOptions& options) {
-  require_room(scene, options);
+  require_resources(scene, options);
   const FolderLock lock(options.output, false);
   return run_render(scene, options, lock);
 }

@@ -7,9 +7,9 @@
 #include <charconv>
 #include <optional>
 
+#include "app/cache/particle_cache.hpp"
 #include "app/errors/errors.hpp"
 #include "app/files/json_file.hpp"
-#include "app/kept/particle_cache.hpp"
 #include "app/run/report.hpp"
 #include "render/output/atomic_file.hpp"
 #include "render/output/input_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/kept/simulation_record.hpp"
+#include "app/cache/simulation_record.hpp"
 #include "app/run/probe_table.hpp"
 
 namespace spindrift::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/kept/particle_cache.hpp"
+#include "app/cache/particle_cache.hpp"
 
 namespace spindrift::app {
 namespace {

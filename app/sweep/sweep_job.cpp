@@ -97,7 +97,7 @@ RenderOptions options_of(const Json& job) {
 int simulate(const Json& job, const FolderLock& lock) {
   Scene scene = scene_of(job);
   if (scene.probes_rate == 0)
-    scene.probes.clear();  // each run reads its own probes from the kept frames
+    scene.probes.clear();  // each run reads its own probes from the cached frames
   RenderOptions options = options_of(job);
   options.simulate_only = true;
   const Stopwatch stopwatch(options.output / seconds_file);

@@ -1,7 +1,7 @@
 // Kept particles: what is made up is given the checksum that it should have, since files without it
 // go no farther.
+#include "app/cache/particle_cache.hpp"
 #include "app/files/checked_file.hpp"
-#include "app/kept/particle_cache.hpp"
 #include "tests/fuzz/support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -29,7 +29,7 @@ constexpr double flowing = 0.1;  // ...where the liquid is faster than this, m/s
 
 const fs::path list_file = fs::path(SOURCE_DIR) / "tests/golden/scenes.json";
 
-app::KeptFrame simulated(const app::Scene& scene, int number) {
+app::CachedFrame simulated(const app::Scene& scene, int number) {
   app::RenderOptions options;
   options.cache = false;
   std::vector<app::ProbeReading> readings;
@@ -174,7 +174,7 @@ class Planting {
   int threshold_;
   double max_flip_, max_changed_;
   Image reference_;
-  app::KeptFrame right_;
+  app::CachedFrame right_;
   std::optional<Found> least_;
 };
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/cache/particle_cache.hpp"
 #include "app/commands/commands.hpp"
-#include "app/kept/particle_cache.hpp"
 #include "app/scene/scene.hpp"
 #include "output_support.hpp"
 #include "render/output/atomic_file.hpp"

@@ -1,4 +1,4 @@
-#include "app/kept/disk_estimate.hpp"
+#include "app/cache/disk_estimate.hpp"
 
 #include <cmath>
 
@@ -9,8 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double bytes_per_kept_particle = 40;  // position, velocity and four further numbers
-constexpr double bytes_per_kept_boundary_particle = 4;
+constexpr double bytes_per_cached_particle = 40;  // position, velocity and four further numbers
+constexpr double bytes_per_cached_boundary_particle = 4;
 // Measured on pictures of the shipped scenes: 0.3 at 1280x720 pixels, 0.3 to 0.75 at 480x270.
 constexpr double png_bytes_per_pixel = 0.5;
 constexpr double video_bytes_per_pixel = 0.013;  // at quality 18; adding 6 to the quality halves it
@@ -26,9 +26,9 @@ DiskEstimate disk_estimate(const Scene& scene, const RenderOptions& options, con
   const double pixels = drawn * video.width * video.height;
   DiskEstimate result;
   if (options.cache && !options.from_particles)
-    result.particles = simulated * (particles * bytes_per_kept_particle +
+    result.particles = simulated * (particles * bytes_per_cached_particle +
                                     static_cast<double>(cost.boundary_particles) *
-                                        bytes_per_kept_boundary_particle);
+                                        bytes_per_cached_boundary_particle);
   if (!options.simulate_only) {
     result.pictures = pixels * png_bytes_per_pixel;
     result.video = pixels * video_bytes_per_pixel * std::exp2((18 - video.quality) / 6.);

@@ -1,4 +1,4 @@
-#include "app/kept/simulation_record.hpp"
+#include "app/cache/simulation_record.hpp"
 
 #include <algorithm>
 

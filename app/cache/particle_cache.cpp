@@ -1,4 +1,4 @@
-#include "app/kept/particle_cache.hpp"
+#include "app/cache/particle_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -89,13 +89,13 @@ fs::path ParticleCache::file(int number) const {
   return folder_ / fmt::format("{:04}.particles", number);
 }
 
-KeptFrame ParticleCache::read(int number) const {
+CachedFrame ParticleCache::read(int number) const {
   CheckedReader in(file(number), frame_magic);
   const auto header = read_one<Header>(in);
   require_label(header.label, label_of(simulation_, number), file(number));
-  KeptFrame kept;
-  kept.statistics = header.statistics;
-  sim::Frame& frame = kept.frame;
+  CachedFrame cached;
+  cached.statistics = header.statistics;
+  sim::Frame& frame = cached.frame;
   frame.time = header.time;
   frame.last_time_step = header.last_time_step;
   frame.allowed_time_step = header.allowed_time_step;
@@ -114,24 +114,24 @@ KeptFrame ParticleCache::read(int number) const {
                                     [&](auto& array) { read_array(array, header.particles); });
   read_array(frame.boundary_pressures, header.boundary_samples);
   in.finish();
-  return kept;
+  return cached;
 }
 
-std::optional<KeptFrame> ParticleCache::find(int number) const {
+std::optional<CachedFrame> ParticleCache::find(int number) const {
   return or_nothing([&] { return read(number); });
 }
 
-void ParticleCache::write(int number, const KeptFrame& kept) const {
+void ParticleCache::write(int number, const CachedFrame& cached) const {
   output::make_folders(folder_);
   CheckedWriter out(file(number), frame_magic);
-  const sim::Frame& frame = kept.frame;
+  const sim::Frame& frame = cached.frame;
   const Header header{.label = label_of(simulation_, number),
                       .particles = frame.positions.size(),
                       .boundary_samples = frame.boundary_pressures.size(),
                       .time = frame.time,
                       .last_time_step = frame.last_time_step,
                       .allowed_time_step = frame.allowed_time_step,
-                      .statistics = kept.statistics};
+                      .statistics = cached.statistics};
   out.write(std::as_bytes(std::span(&header, 1)));
   const auto write_array = [&](const auto& array) { out.write(std::as_bytes(std::span(array))); };
   sim::Frame::for_each_of_particles(frame, write_array);

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "app/kept/simulation_record.hpp"
+#include "app/cache/simulation_record.hpp"
 #include "sim/run/simulation.hpp"
 
 namespace spindrift::app {
 
 /// A frame and the statistics of the time steps that led to it.
-struct KeptFrame {
+struct CachedFrame {
   sim::Frame frame;
   sim::FrameStatistics statistics;
 };
@@ -35,12 +35,12 @@ class ParticleCache {
   /// Reads a frame.
   /// @throws std::runtime_error that names the file when it is missing, damaged, of another format,
   /// or not this frame of this simulation
-  KeptFrame read(int number) const;
+  CachedFrame read(int number) const;
   /// Reads a frame; nothing where it is missing or can't be used.
-  std::optional<KeptFrame> find(int number) const;
+  std::optional<CachedFrame> find(int number) const;
   /// Writes a frame, in place of whatever has its file's name.
   /// @throws std::runtime_error that names the file when it can't be written
-  void write(int number, const KeptFrame& kept) const;
+  void write(int number, const CachedFrame& cached) const;
 
   /// Writes the values that probes read between the frame before and this frame into a file beside
   /// the frame's.

@@ -1,12 +1,12 @@
-#include "app/kept/room.hpp"
+#include "app/cache/resource_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "app/cache/disk_estimate.hpp"
 #include "app/checks/estimate.hpp"
 #include "app/errors/errors.hpp"
-#include "app/kept/disk_estimate.hpp"
 #include "app/system/machine_limits.hpp"
 
 namespace spindrift::app {
@@ -50,7 +50,7 @@ void require_disk(const Scene& scene, const RenderOptions& options, const Estima
 
 }  // namespace
 
-void require_room(const Scene& scene, const RenderOptions& options) {
+void require_resources(const Scene& scene, const RenderOptions& options) {
   const Estimate cost = estimate(scene, std::max(1, options.threads));
   require_memory(cost.bytes, options);
   require_disk(scene, options, cost);

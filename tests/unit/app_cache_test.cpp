@@ -1,4 +1,4 @@
-// Kept particles that were damaged, locks of folders, threads that can't be had.
+// Cached particles that were damaged, locks of folders, threads that can't be had.
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,9 +10,9 @@
 #include <fstream>
 #include <thread>
 
+#include "app/cache/particle_cache.hpp"
+#include "app/cache/simulation_record.hpp"
 #include "app/files/folder_lock.hpp"
-#include "app/kept/particle_cache.hpp"
-#include "app/kept/simulation_record.hpp"
 #include "app/run/progress.hpp"
 #include "app/system/heartbeat.hpp"
 #include "output_support.hpp"
@@ -20,7 +20,7 @@
 #include "render/output/input_file.hpp"
 
 namespace fs = std::filesystem;
-namespace app_kept_tests {
+namespace app_cache_tests {
 
 using namespace spindrift;
 using output_test::TemporaryFolder;
@@ -29,9 +29,9 @@ namespace {
 
 const std::string hash(32, 'a'), other_hash(32, 'b');
 
-app::KeptFrame kept_frame(std::size_t particles) {
-  app::KeptFrame kept;
-  sim::Frame& frame = kept.frame;
+app::CachedFrame cached_frame(std::size_t particles) {
+  app::CachedFrame cached;
+  sim::Frame& frame = cached.frame;
   frame.time = 0.5;
   frame.last_time_step = 0.001;
   for (std::size_t i = 0; i < particles; ++i) {
@@ -44,8 +44,8 @@ app::KeptFrame kept_frame(std::size_t particles) {
     frame.ids.push_back(static_cast<std::uint32_t>(i));
   }
   frame.boundary_pressures = {5, 6, 7};
-  kept.statistics.steps = 12;
-  return kept;
+  cached.statistics.steps = 12;
+  return cached;
 }
 
 void flip_bit(const fs::path& file, std::size_t byte) {
@@ -56,15 +56,15 @@ void flip_bit(const fs::path& file, std::size_t byte) {
 
 }  // namespace
 
-TEST_CASE("a kept frame is read as it was written, and not with one bit flipped anywhere") {
+TEST_CASE("a cached frame is read as it was written, and not with one bit flipped anywhere") {
   const TemporaryFolder folder;
-  const app::ParticleCache cache(folder / "kept", hash);
-  const app::KeptFrame kept = kept_frame(20);
-  cache.write(3, kept);
-  const app::KeptFrame read = cache.read(3);
-  CHECK(read.frame.positions == kept.frame.positions);
-  CHECK(read.frame.ids == kept.frame.ids);
-  CHECK(read.frame.boundary_pressures == kept.frame.boundary_pressures);
+  const app::ParticleCache cache(folder / "cache", hash);
+  const app::CachedFrame cached = cached_frame(20);
+  cache.write(3, cached);
+  const app::CachedFrame read = cache.read(3);
+  CHECK(read.frame.positions == cached.frame.positions);
+  CHECK(read.frame.ids == cached.frame.ids);
+  CHECK(read.frame.boundary_pressures == cached.frame.boundary_pressures);
   CHECK(read.statistics.steps == 12);
   for (std::size_t byte = 0; byte < fs::file_size(cache.file(3)); byte += 7) {
     flip_bit(cache.file(3), byte);
@@ -77,8 +77,8 @@ TEST_CASE("a kept frame is read as it was written, and not with one bit flipped 
 
 TEST_CASE("what is no good file of a frame is not there, and gives way to one that is") {
   const TemporaryFolder folder;
-  const app::ParticleCache cache(folder / "kept", hash);
-  cache.write(0, kept_frame(20));
+  const app::ParticleCache cache(folder / "cache", hash);
+  cache.write(0, cached_frame(20));
   const fs::path file = cache.file(0);
   const std::string good = output::read_file(file);
   SECTION("emptied") {
@@ -97,12 +97,12 @@ TEST_CASE("what is no good file of a frame is not there, and gives way to one th
     output::write_file(file, "SPNDFRM4" + good.substr(8));
   }
   SECTION("of another frame") {
-    cache.write(1, kept_frame(20));
+    cache.write(1, cached_frame(20));
     fs::rename(cache.file(1), file);
   }
   SECTION("of another simulation") {
     const app::ParticleCache other(folder / "other", other_hash);
-    other.write(0, kept_frame(20));
+    other.write(0, cached_frame(20));
     fs::rename(other.file(0), file);
   }
   SECTION("a folder") {
@@ -115,18 +115,18 @@ TEST_CASE("what is no good file of a frame is not there, and gives way to one th
   }
   CHECK_FALSE(cache.find(0));
   CHECK_THROWS_WITH(cache.read(0), Catch::Contains("0000.particles"));
-  cache.write(0, kept_frame(20));
+  cache.write(0, cached_frame(20));
   CHECK(output::read_file(file) == good);
 }
 
 TEST_CASE("readings between frames are read as they were written, or not at all") {
   const TemporaryFolder folder;
-  const app::ParticleCache cache(folder / "kept", hash);
+  const app::ParticleCache cache(folder / "cache", hash);
   const std::vector<double> values{0.1, 2, 0.2, 3};
   cache.write_readings(2, "p.readings", values);
   CHECK(cache.read_readings(2, "p.readings") == values);
   CHECK_FALSE(cache.read_readings(1, "p.readings"));
-  flip_bit(folder / "kept/0002.p.readings", 60);
+  flip_bit(folder / "cache/0002.p.readings", 60);
   CHECK_FALSE(cache.read_readings(2, "p.readings"));
   cache.write_readings(2, "p.readings", {});
   CHECK(cache.read_readings(2, "p.readings")->empty());
@@ -134,7 +134,7 @@ TEST_CASE("readings between frames are read as they were written, or not at all"
 
 TEST_CASE("how particles came about is kept beside them") {
   const TemporaryFolder folder;
-  const app::ParticleCache cache(folder / "kept", hash);
+  const app::ParticleCache cache(folder / "cache", hash);
   CHECK_FALSE(cache.read_record());
   app::SimulationRecord record{.scene_name = "a",
                                .scene_file = "/a.json",
@@ -152,7 +152,7 @@ TEST_CASE("how particles came about is kept beside them") {
   REQUIRE(read->phases.size() == 2);
   CHECK(read->phases[0].seconds == 3);
   CHECK(read->phases[0].calls == 7);
-  output::write_file(folder / "kept/simulation.json", "[1]");
+  output::write_file(folder / "cache/simulation.json", "[1]");
   CHECK_FALSE(cache.read_record());
 }
 
@@ -203,4 +203,4 @@ TEST_CASE("a log shows life while one frame takes long, and no more once it is o
   CHECK(told == in_all);
 }
 
-}  // namespace app_kept_tests
+}  // namespace app_cache_tests
