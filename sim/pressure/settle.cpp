@@ -138,7 +138,7 @@ struct Settling {
     const ContactView walls = contact;
     const float distance = 0.5f * constants.spacing;
     executor.for_each("settle", n, [=] SPINDRIFT_HD(std::uint32_t i) {
-      if (neighbours.alone(i, n) && !is_held(held, i))
+      if (neighbours.is_alone(i, n) && !is_held(held, i))
         x.set(i, walls.resolve_off_walls(x[i], x[i], distance));
     });
   }

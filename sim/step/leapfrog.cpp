@@ -49,7 +49,7 @@ Motion integrate(const StepContext& s, float pressure_factor) {
         const Vec3<float> push = corrected[i] - free;
         const Vec3<float> velocity = drifted_v[i] + dt * a[i] + (1 / dt) * push;
         // If it was not alone before, it may be nearer; no velocity comes of it.
-        if (step.alone(i))
+        if (step.is_alone(i))
           corrected.set(
               i, step.contact.resolve_off_walls(corrected[i], corrected[i], step.rest_distance()));
         x.set(i, corrected[i]);

@@ -21,8 +21,8 @@ struct StepView {
 
   /// Whether particle i has no others near it. The domain's walls stop such a particle at
   /// rest_distance(), where they alone do not make it too dense, and do not throw it back.
-  SPINDRIFT_HD bool alone(std::uint32_t i) const {
-    return neighbours.alone(i, count) && !is_held(i);
+  SPINDRIFT_HD bool is_alone(std::uint32_t i) const {
+    return neighbours.is_alone(i, count) && !is_held(i);
   }
   /// Distance of the first particles of liquid at rest from a wall, m.
   SPINDRIFT_HD float rest_distance() const { return 0.5f * constants.spacing; }
@@ -30,8 +30,8 @@ struct StepView {
   /// Where particle i gets from its drifted position by a given move, m, with contact.
   SPINDRIFT_HD Vec3<float> moved(std::uint32_t i, const Vec3<float>& move) const {
     const Vec3<float> from = drifted[i], p = from + move;
-    return alone(i) ? contact.stop_off_walls(from, p, position[i], rest_distance())
-                    : contact.resolve(from, p);
+    return is_alone(i) ? contact.stop_off_walls(from, p, position[i], rest_distance())
+                       : contact.resolve(from, p);
   }
 
   /// Whether a nozzle moves particle i.

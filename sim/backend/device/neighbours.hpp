@@ -27,7 +27,7 @@ struct NeighbourView {
   SPINDRIFT_HD bool empty(std::uint32_t i) const { return counts[i] == 0; }
 
   /// Whether particle i has no neighbour but itself, in lists of one set of points.
-  SPINDRIFT_HD bool alone(std::uint32_t i, std::uint32_t) const { return counts[i] == 1; }
+  SPINDRIFT_HD bool is_alone(std::uint32_t i, std::uint32_t) const { return counts[i] == 1; }
 
   /// Calls f(j) for the neighbours j of particle i.
   template <class F>

@@ -33,7 +33,7 @@ struct NeighbourView {
 
   /// Whether particle i of `count` has no neighbour but itself, in lists of one set of points: the
   /// padding begins after itself.
-  bool alone(std::uint32_t i, std::uint32_t count) const {
+  bool is_alone(std::uint32_t i, std::uint32_t count) const {
     return list(i)[2] == LaneList::place_of(count);
   }
 
