@@ -58,9 +58,9 @@ struct Frame {
   std::vector<float> densities;
   /// Mechanical pressures (mechanical_pressure() in formulas.hpp), means since the last frame, Pa.
   std::vector<float> pressures;
-  /// The pressures in the equations of motion of the last step, multipliers of the density
-  /// constraint, Pa.
-  std::vector<float> multipliers;
+  /// What stood for the pressures in the equations of motion of the last step, Pa: with PCISPH,
+  /// multipliers of the density constraint ρ ≤ ρ₀, from which the next step's iteration starts.
+  std::vector<float> constraint_multipliers;
   /// Numbers of the particles, each given once in a run: first in the initial lattice's order, then
   /// in the order in which particles come in.
   std::vector<std::uint32_t> ids;
@@ -73,7 +73,7 @@ struct Frame {
                  FrameField{"vx vy vz", "m/s", FieldUse::shown, &Frame::velocities},
                  FrameField{"density", "kg/m^3", FieldUse::shown, &Frame::densities},
                  FrameField{"pressure", "Pa", FieldUse::shown, &Frame::pressures},
-                 FrameField{"multiplier", "Pa", FieldUse::internal, &Frame::multipliers},
+                 FrameField{"multiplier", "Pa", FieldUse::internal, &Frame::constraint_multipliers},
                  FrameField{"id", "", FieldUse::identity, &Frame::ids}};
 
   /// Calls f(field) for each of them, in their order.

@@ -23,7 +23,7 @@ void set_particles(Executor& executor, Particles& particles, const Frame& frame)
   for (std::uint32_t i = 0; i < n; ++i) {
     particles.position.view().set(i, from_glm(frame.positions[i]));
     particles.velocity.view().set(i, from_glm(frame.velocities[i]));
-    particles.pressure[i] = frame.multipliers[i];
+    particles.pressure[i] = frame.constraint_multipliers[i];
     particles.mean_pressure[i] = frame.pressures[i];
     particles.ids[i] = frame.ids[i];
   }
@@ -49,7 +49,7 @@ ParticleCopies copy_particles(Executor& executor, Particles& particles, float re
           .velocities = executor.copy<glm::vec3>(phase, n, velocity),
           .densities = executor.copy<float>(phase, n, density),
           .pressures = executor.copy<float>(phase, n, mean_pressure),
-          .multipliers = executor.copy<float>(phase, n, last_multiplier),
+          .constraint_multipliers = executor.copy<float>(phase, n, last_multiplier),
           .ids = executor.copy<std::uint32_t>(phase, n, id)};
 }
 
@@ -58,7 +58,7 @@ void ParticleCopies::put_into(Frame& frame) {
   frame.velocities = velocities.take();
   frame.densities = densities.take();
   frame.pressures = pressures.take();
-  frame.multipliers = multipliers.take();
+  frame.constraint_multipliers = constraint_multipliers.take();
   frame.ids = ids.take();
 }
 

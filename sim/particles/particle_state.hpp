@@ -17,7 +17,7 @@ void set_particles(Executor& executor, Particles& particles, const Frame& frame)
 /// The per-particle arrays of a frame, which may still be on their way from the device.
 struct ParticleCopies {
   Copy<glm::vec3> positions, velocities;
-  Copy<float> densities, pressures, multipliers;
+  Copy<float> densities, pressures, constraint_multipliers;
   Copy<std::uint32_t> ids;
 
   /// Moves the arrays into a frame, once; waits until they have arrived.

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const sim::Frame frame = app::ParticleCache(fuzz::folder().path()).read(0).frame;
     fuzz::require(frame.positions.size() == frame.ids.size() &&
-                  frame.positions.size() == frame.multipliers.size());
+                  frame.positions.size() == frame.constraint_multipliers.size());
   } catch (const std::runtime_error&) {
   }
   return 0;

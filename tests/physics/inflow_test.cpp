@@ -221,7 +221,7 @@ TEST_CASE(
   s.fluid.viscosity = 0.5f;
   const auto same = [](const Frame& a, const Frame& b) {
     return a.ids == b.ids && a.positions == b.positions && a.velocities == b.velocities &&
-           a.pressures == b.pressures && a.multipliers == b.multipliers &&
+           a.pressures == b.pressures && a.constraint_multipliers == b.constraint_multipliers &&
            a.boundary_pressures == b.boundary_pressures;
   };
   const int threads_before = omp_get_max_threads();

@@ -21,7 +21,7 @@ inline void check_same(const sim::Frame& a, const sim::Frame& b) {
   CHECK(same_bytes(a.positions, b.positions));
   CHECK(same_bytes(a.velocities, b.velocities));
   CHECK(same_bytes(a.pressures, b.pressures));
-  CHECK(same_bytes(a.multipliers, b.multipliers));
+  CHECK(same_bytes(a.constraint_multipliers, b.constraint_multipliers));
   CHECK(same_bytes(a.densities, b.densities));
   CHECK(same_bytes(a.boundary_pressures, b.boundary_pressures));
   CHECK(a.last_time_step == b.last_time_step);

@@ -40,7 +40,7 @@ app::CachedFrame cached_frame(std::size_t particles) {
     frame.velocities.push_back({3, x, 4});
     frame.densities.push_back(1000 + x);
     frame.pressures.push_back(x);
-    frame.multipliers.push_back(-x);
+    frame.constraint_multipliers.push_back(-x);
     frame.ids.push_back(static_cast<std::uint32_t>(i));
   }
   frame.boundary_pressures = {5, 6, 7};

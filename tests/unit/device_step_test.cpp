@@ -136,7 +136,7 @@ void check_same_frame(const Frame& a, const Frame& b) {
   CHECK(a.velocities == b.velocities);
   CHECK(a.densities == b.densities);
   CHECK(a.pressures == b.pressures);
-  CHECK(a.multipliers == b.multipliers);
+  CHECK(a.constraint_multipliers == b.constraint_multipliers);
   CHECK(a.ids == b.ids);
   CHECK(a.boundary_pressures == b.boundary_pressures);
 }

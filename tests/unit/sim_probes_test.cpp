@@ -152,7 +152,7 @@ TEST_CASE("what is still in a nozzle behind a closed face is not in sight") {
   frame.positions = {{1, 1, 0.5f}, {-0.1f, 1, 0.5f}, {0, 0, 0}, {1, 3.1f, 0.5f}, {4, 3, 1.01f}};
   frame.ids = {7, 8, 9, 10, 11};
   frame.velocities.resize(5);
-  for (auto* values : {&frame.densities, &frame.pressures, &frame.multipliers})
+  for (auto* values : {&frame.densities, &frame.pressures, &frame.constraint_multipliers})
     *values = {1, 2, 3, 4, 5};
   const Frame seen = in_sight(s, frame);
   CHECK(seen.ids == std::vector<std::uint32_t>{7, 9, 10});

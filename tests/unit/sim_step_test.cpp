@@ -292,7 +292,7 @@ TEST_CASE("a PCISPH step of few particles is the algorithm's, by hand") {
     INFO("particle " << id);
     CHECK(glm::length(dvec3(frame.positions[i]) - plain.positions[id]) < 2e-5);
     CHECK(glm::length(dvec3(frame.velocities[i]) - plain.velocities[id]) < 1e-2);
-    CHECK(double{frame.multipliers[i]} ==
+    CHECK(double{frame.constraint_multipliers[i]} ==
           Approx(plain.pressures[id] * 2).epsilon(1e-2).margin(2e-2 * largest_pressure));
     // Densities are those where the particles end up.
     CHECK(double{frame.densities[i]} / 1000 == Approx(plain.densities[id]).epsilon(2e-4));
