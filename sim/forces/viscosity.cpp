@@ -48,7 +48,7 @@ void explicit_step(const StepContext& s, const DiffusionKernel& weights) {
   const Vec3Arrays dv = p.velocity_change().view();
   const StepView step = s.view();
   const DiffusionKernel kernel = weights;
-  const float dt = s.time_step;
+  const float dt = s.time_step();
   s.executor.for_each("viscosity", 1, [=] SPINDRIFT_HD(std::uint32_t) {
     v.set(step.count, {0, 0, 0});
   });
@@ -81,7 +81,7 @@ void implicit_step(const StepContext& s, const DiffusionKernel& weights, Implici
   StepView step = s.view();
   step.boundary.velocity = {};  // the operator acts on velocity changes: walls have none
   const DiffusionKernel kernel = weights;
-  const float dt = s.time_step;
+  const float dt = s.time_step();
   const auto begin = [=] SPINDRIFT_HD(std::uint32_t i) {
     const Vec3<float> right = dv[i];
     r.set(i, right);
@@ -139,7 +139,7 @@ class Viscosity final : public Force {
         explicit_limit_(stable_step(constants, wall_viscosity, kernel_)) {}
 
   bool apply(const StepContext& s) override {
-    if (s.time_step <= explicit_limit_)
+    if (s.time_step() <= explicit_limit_)
       explicit_step(s, kernel_);
     else
       implicit_step(s, kernel_, fields_);

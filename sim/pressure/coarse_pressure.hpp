@@ -184,7 +184,7 @@ void CoarsePressure::solve(const StepContext& s, F error) {
   });
   sim::SPINDRIFT_BACKEND::solve(s.executor, system(), iteration_);
   const float scale = gain * aggregate_factor_ / s.map->inverse_cell * s.constants.rest_density /
-                      (s.time_step * s.time_step);
+                      (s.time_step() * s.time_step());
   s.executor.for_each("coarse pressure", count_,
                       [=] SPINDRIFT_HD(std::uint32_t c) { pressure[c] *= scale; });
 }

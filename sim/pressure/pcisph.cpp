@@ -75,7 +75,7 @@ struct Pcisph final : PcisphSolver {
       const bool falls_freely = found.move == 0 && is_nothing(residual, s);
       if ((falls_freely || iteration >= settings_.min_iterations) && converged(residual, s)) {
         eases_ = !falls_freely;
-        return {true, iteration, s.time_step / s.kick};
+        return {true, iteration, s.time_step() / s.kick};
       }
       if (iteration == settings_.max_iterations)
         return {.accepted = false, .iterations = iteration};
@@ -121,7 +121,7 @@ struct Pcisph final : PcisphSolver {
       solid.step_pressure[b] =
           easing_pressure(wet[k] + demand.kept_by_sample(b), solid.pressure[b], delta, most);
     });
-    const float dt2 = s.time_step * s.time_step;
+    const float dt2 = s.time_step() * s.time_step();
     const Kernel kernel = pressure_kernel_;
     s.executor.for_each("ease", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
       const Vec3<float> a =
@@ -142,7 +142,7 @@ struct Pcisph final : PcisphSolver {
   ///   δ = ρ₀ / (Δt² V² Σ ∇W·∇W).
   /// One gradient is that of the density's kernel, the other that of the pressure's.
   float stiffness(const StepContext& s) const {
-    const double v_dt = double{s.constants.volume} * s.time_step;
+    const double v_dt = double{s.constants.volume} * s.time_step();
     return static_cast<float>(s.constants.rest_density / (v_dt * v_dt * gradient_product_));
   }
 
@@ -173,7 +173,7 @@ struct Pcisph final : PcisphSolver {
   void start_pressure(const StepContext& s, float delta) {
     const float* last = s.particles.pressure.data();
     const PointView at = s.particles.drifted_position.view();
-    const float least = 1e-6f * delta, share = warm_start * s.kick / s.time_step;
+    const float least = 1e-6f * delta, share = warm_start * s.kick / s.time_step();
     const std::uint32_t n = s.particles.count;
     const BoundaryView solid = s.boundary;
     s.executor.for_each("start pressure", n + 1, [=] SPINDRIFT_HD(std::uint32_t i) {
@@ -192,7 +192,7 @@ struct Pcisph final : PcisphSolver {
     Particles& p = s.particles;
     const PointView drifted = p.drifted_position.view(), corrected = p.corrected_position.view();
     const Vec3Arrays acceleration = p.acceleration.view();
-    const float dt2 = s.time_step * s.time_step;
+    const float dt2 = s.time_step() * s.time_step();
     const StepView step = s.view();
     const Kernel kernel = pressure_kernel_;
     const auto accelerate = [=] SPINDRIFT_HD(std::uint32_t i) {

@@ -189,7 +189,6 @@ struct Settling {
                          .map = &map,
                          .contact = contact,
                          .held = inflow.held(particles),
-                         .time_step = settings.max_time_step,
                          .duration = settings.max_time_step,
                          .refusals = refusals,
                          .kick = settings.max_time_step,

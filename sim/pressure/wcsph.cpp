@@ -51,7 +51,7 @@ class Wcsph : public PressureSolver {
               boundary_density_ratio(b, step.constants, density_kernel, drifted, step.boundary),
               rest_density, speed_of_sound);
         });
-    const float dt2 = s.time_step * s.time_step;
+    const float dt2 = s.time_step() * s.time_step();
     s.executor.for_each("pressure acceleration", p.count, [=] SPINDRIFT_HD(std::uint32_t i) {
       if (step.is_held(i)) {
         acceleration.set(i, {0, 0, 0});

@@ -65,7 +65,6 @@ StepContext State::context_of(double duration, int refusals) {
           .map = &map,
           .contact = walls.contact(),
           .held = inflow.held(particles),
-          .time_step = static_cast<float>(duration),
           .duration = duration,
           .refusals = refusals,
           .kick = kick(duration),

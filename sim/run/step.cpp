@@ -56,7 +56,7 @@ double work_of_walls(State& s, const StepContext& step, double power_of_contacts
     return 0;
   return double{s.constants.rest_density} * s.constants.volume * power_of_contacts +
          wall_work(s.executor, s.constants, s.settings.solver.pressure_kernel, s.particles,
-                   step.boundary, step.time_step);
+                   step.boundary, step.time_step());
 }
 
 /// Moves the particles to where pressure has put them.

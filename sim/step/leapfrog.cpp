@@ -41,7 +41,7 @@ Motion integrate(const StepContext& s, float pressure_factor) {
                   drifted_v = particles.drifted_velocity.view(),
                   corrected = particles.corrected_position.view();
   float *pressure = particles.pressure.data(), *sum = particles.mean_pressure.data();
-  const float dt = s.time_step, kick = s.kick;
+  const float dt = s.time_step(), kick = s.kick;
   const StepView step = s.view();
   const Motion motion =
       s.executor.reduce<Motion>("integrate", particles.count, [=] SPINDRIFT_HD(std::uint32_t i) {

@@ -50,11 +50,13 @@ struct StepContext {
   const GridMap* map;
   ContactView contact;
   const float* held;  ///< as in StepView
-  float time_step;    ///< time step size Δt, s
-  double duration;    ///< Δt in double precision, by which the run's time advances, s
+  double duration;    ///< time step size Δt, by which the run's time advances, s
   int refusals;       ///< number of times this step has been tried with a larger Δt
   float kick;  ///< time over which body forces act: half of the last step and half of this one, s
   float acceleration;  ///< magnitude of the body acceleration, such as gravity, m/s²
+
+  /// Δt in the precision of the particles' loops, s.
+  float time_step() const { return static_cast<float>(duration); }
 
   StepView view() const {
     return {.constants = constants,

@@ -19,7 +19,7 @@ inline bool change_velocities(const StepContext& s, std::string_view name) {
   Particles& p = s.particles;
   const PointView x = p.drifted_position.view(), v = p.drifted_velocity.view();
   const Vec3Arrays dv = p.velocity_change().view();
-  const float dt = s.time_step;
+  const float dt = s.time_step();
   const StepView step = s.view();
   const auto change_one = [=] SPINDRIFT_HD(std::uint32_t i) {
     if (step.is_held(i))

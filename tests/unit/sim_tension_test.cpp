@@ -110,7 +110,6 @@ TEST_CASE("surface tension is the gradient of its energy, and keeps both momenta
                                    .map = &map,
                                    .contact = {{0, 0, 0}, {1, 1, 1}},
                                    .held = nullptr,
-                                   .time_step = 1e-9f,
                                    .duration = 1e-9,
                                    .refusals = 0,
                                    .kick = 1,
