@@ -46,7 +46,7 @@ expect() {
 
 # start_browser: from here on there is a page to look at.
 start_browser() {
-  chromedriver --port=0 >"$folder/driver.log" 2>&1 &
+  TMPDIR=$folder chromedriver --port=0 >"$folder/driver.log" 2>&1 &
   driver=$!
   wait_until grep -qs "successfully on port" "$folder/driver.log" || fail "chromedriver did not start"
   port=$(sed -n 's/.*successfully on port \([0-9]*\).*/\1/p' "$folder/driver.log")
