@@ -50,7 +50,7 @@ double momentum(const Frame& frame) {
 
 }  // namespace
 
-TEST_CASE("drops fall through air as fast as those that were measured") {
+TEST_CASE("drops fall through air as fast as those that were measured", "[slow]") {
   for (const FallingDrop& drop : measured) {
     Simulation simulation(shaft(drop));
     REQUIRE(simulation.figures().particles == 1);

@@ -20,7 +20,7 @@ TEST_CASE("hard: water that falls ten metres onto a floor", "[hard][slow]") {
   CHECK(end.last.kinetic_energy + end.last.potential_energy < 0.5 * end.energy_start);
 }
 
-TEST_CASE("hard: two jets that meet head on at 20 m/s each", "[hard]") {
+TEST_CASE("hard: two jets that meet head on at 20 m/s each", "[hard][slow]") {
   const SolverType solver = GENERATE(SolverType::pcisph, SolverType::sph);
   const Settings s = jets(solver);
   check("jets at 20 m/s", s, watch(s, 0.15, 60));

@@ -109,7 +109,7 @@ TEST_CASE("hard: a scene one millimetre and one kilometre in size", "[hard][slow
   check(size < 1 ? "1 mm in size" : "1 km in size", s, watch(s, std::sqrt(size), 30));
 }
 
-TEST_CASE("hard: a millimetre and a kilometre with the default limit of the step", "[hard]") {
+TEST_CASE("hard: a millimetre and a kilometre with the default limit of the step", "[hard][slow]") {
   const float size = GENERATE(1e-3f, 1e3f);  // m
   Settings s = splash(SolverType::pcisph);
   s.fluid.spacing *= size;

@@ -73,7 +73,8 @@ TEST_CASE("hard: a piston that strikes a block at 5 and at 20 m/s", "[hard][slow
   CHECK(end.wall_work > 0.4 * mass * speed * speed);
 }
 
-TEST_CASE("hard: a thin plate and a body of triangles that strike a block at 20 m/s", "[hard]") {
+TEST_CASE("hard: a thin plate and a body of triangles that strike a block at 20 m/s",
+          "[hard][slow]") {
   const bool thin = GENERATE(true, false);
   Settings s = piston(SolverType::pcisph, 20);
   if (thin)

@@ -52,7 +52,7 @@ TEST_CASE("a tank at rest gains no energy, however short the steps", "[slow]") {
   CHECK(most <= 1.0005 * start.potential_energy);
 }
 
-TEST_CASE("water dropped into a corner stays inside, keeps its number and its density") {
+TEST_CASE("water dropped into a corner stays inside, keeps its number and its density", "[slow]") {
   Settings s;
   s.fluid.spacing = 0.05f;
   s.domain = {{0, 0, 0}, {1, 1.5f, 0.6f}};

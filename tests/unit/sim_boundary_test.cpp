@@ -58,7 +58,8 @@ TEST_CASE("liquid resting against walls, edges and corners has the rest density"
       CHECK(frame.densities[i] == Approx(1000).epsilon(0.02));
 }
 
-TEST_CASE("a flat face adds to the density what a layer of liquid half a spacing behind it would") {
+TEST_CASE("a flat face adds to the density what a layer of liquid half a spacing behind it would",
+          "[slow]") {
   constexpr float d = 0.05f, radius = 2 * d;
   const bool is_body = GENERATE(false, true);
   const float height = GENERATE(0.2f, 0.5f, 1, 1.4f) * d;  // above the face
