@@ -14,13 +14,14 @@ cmake --preset release -B "$build" -DSPINDRIFT_CUDA=ON >/dev/null
 cmake --build "$build" --target spindrift test_gpu --parallel "$(nproc)"
 
 if [[ -z $bundle ]]; then
-  exec tests/gpu/check.sh "$build/spindrift" "$build/tests/test_gpu" . "$build/gpu_check"
+  exec tests/gpu/check.sh "$build/spindrift" "$build/tests/gpu/test_gpu" . "$build/gpu_check"
 fi
 
-staging=$(mktemp -d)
-trap 'rm -rf "$staging"' EXIT
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+staging=$scratch/parts
 mkdir -p "$staging"/{bin,lib,egl_vendor.d,tests/golden} "$bundle"
-cp "$build/spindrift" "$build/tests/test_gpu" "$staging/bin/"
+cp "$build/spindrift" "$build/tests/gpu/test_gpu" "$staging/bin/"
 strip "$staging"/bin/*
 # All libraries but libc's own and the driver's. Our own are there for newer processors too, in folders whose names the
 # loader knows.
@@ -39,7 +40,12 @@ echo '{"file_format_version": "1.0.0", "ICD": {"library_path": "libEGL_nvidia.so
 cp -r scenes "$staging/"
 cp -r tests/golden/. "$staging/tests/golden/"
 cp tests/gpu/check.sh "$staging/"
-tar -C "$staging" -c . | gzip -9 >"$bundle/parts.tar.gz"
+# The two builds of a library beside each other, so that what they have in common is packed once.
+find "$staging" ! -type d -printf '%f\t%P\n' | sort | cut -f 2 >"$scratch/files"
+rm -rf "${bundle:?}"/{parts,logs,parts.tar.xz}
+tar -C "$staging" -c -T "$scratch/files" | xz -9 >"$bundle/parts.tar.xz"
+# Bare machines have no xz.
+cp -L "$(command -v xz)" "$(ldd "$(command -v xz)" | awk '/liblzma/ { print $3 }')" "$bundle/"
 
 cat >"$bundle/check" <<'CHECK'
 #!/usr/bin/env bash
@@ -48,12 +54,12 @@ cat >"$bundle/check" <<'CHECK'
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 mkdir -p parts logs
-tar -xzf parts.tar.gz -C parts
+LD_LIBRARY_PATH=$PWD ./xz -dc parts.tar.xz | tar -x -C parts
 export LD_LIBRARY_PATH=$PWD/parts/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export __EGL_VENDOR_LIBRARY_DIRS=/etc/glvnd/egl_vendor.d:/usr/share/glvnd/egl_vendor.d:$PWD/parts/egl_vendor.d
 exec parts/check.sh "$PWD/parts/bin/spindrift" "$PWD/parts/bin/test_gpu" "$PWD/parts" "$PWD/logs" "$@"
 CHECK
 chmod +x "$bundle/check"
-bytes=$(stat -c %s "$bundle/parts.tar.gz")
+bytes=$(du -bs "$bundle" | cut -f 1)
 echo "$bundle: $((bytes / 1000000)) MB; copy it to a machine with a GPU, and run check there"
 ((bytes <= 60000000)) || { echo "gpu_check: the bundle is larger than 60 MB" >&2; exit 1; }
