@@ -9,10 +9,14 @@ namespace {
 
 /// The values, one per particle, by which the particles are coloured.
 std::vector<float> attribute_of(const sim::Frame& frame, gl::ColorBy color_by) {
-  if (color_by == gl::ColorBy::density)
-    return frame.densities;
-  if (color_by == gl::ColorBy::pressure)
-    return frame.pressures;
+  switch (color_by) {
+    case gl::ColorBy::density:
+      return frame.densities;
+    case gl::ColorBy::pressure:
+      return frame.pressures;
+    case gl::ColorBy::speed:
+      break;
+  }
   std::vector<float> speeds;
   speeds.reserve(frame.velocities.size());
   for (const glm::vec3 v : frame.velocities)

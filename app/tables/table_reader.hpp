@@ -95,6 +95,7 @@ class TableReader {
   template <Alternatives V>
   void read_alternative(const LocatedValue& value, V& into, bool is_meant) {
     const auto& names = alternative_names<V>;
+    static_assert(!names.back().empty(), "every alternative of the variant needs a name");
     std::vector<std::size_t> given;
     for (std::size_t i = 0; i < names.size(); ++i)
       if (value.json().contains(names[i]))

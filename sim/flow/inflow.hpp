@@ -56,7 +56,6 @@ class Inflow {
   Inflow(const Settings& settings, const FluidConstants& constants, std::uint32_t first_id);
 
   bool exists() const { return !nozzles_.empty(); }
-  const std::vector<Nozzle>& nozzles() const { return nozzles_; }
   /// The lowest id that is not given to any particle up to a time, s.
   /// @throws std::runtime_error if the ids run out
   std::uint32_t next_id(double time) const;
