@@ -6,12 +6,12 @@
 #include <set>
 #include <vector>
 
-#include "app/cache/disk_estimate.hpp"
 #include "app/cache/simulation_record.hpp"
 #include "app/commands/commands.hpp"
 #include "app/errors/errors.hpp"
 #include "app/files/folder_entries.hpp"
 #include "app/files/json_file.hpp"
+#include "app/resources/disk_estimate.hpp"
 #include "app/system/machine_limits.hpp"
 
 namespace spindrift::app {

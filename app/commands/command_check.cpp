@@ -1,10 +1,10 @@
 #include <fmt/core.h>
 
-#include "app/cache/disk_estimate.hpp"
 #include "app/checks/estimate.hpp"
 #include "app/checks/scene_warnings.hpp"
 #include "app/commands/commands.hpp"
 #include "app/errors/errors.hpp"
+#include "app/resources/disk_estimate.hpp"
 #include "app/system/machine_limits.hpp"
 #include "app/tables/frame_rate_text.hpp"
 #include "app/tables/values.hpp"

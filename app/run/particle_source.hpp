@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/cache/particle_cache.hpp"
-#include "app/cache/run_options.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/run/run_record.hpp"
 
 namespace spindrift::app {

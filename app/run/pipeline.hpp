@@ -2,7 +2,7 @@
 // four threads, so that the next frame is simulated while the last one is kept, drawn and written.
 #pragma once
 
-#include "app/cache/run_options.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/run/run_record.hpp"
 #include "app/scene/scene.hpp"
 

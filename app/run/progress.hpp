@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cache/run_options.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/scene/scene.hpp"
 #include "app/system/heartbeat.hpp"
 

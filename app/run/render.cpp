@@ -3,9 +3,9 @@
 
 #include <exception>
 
-#include "app/cache/resource_check.hpp"
 #include "app/errors/error_report.hpp"
 #include "app/errors/errors.hpp"
+#include "app/resources/resource_check.hpp"
 #include "app/run/pipeline.hpp"
 #include "app/run/render.hpp"
 #include "app/run/report.hpp"

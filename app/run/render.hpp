@@ -2,9 +2,9 @@
 // `golden`.
 #pragma once
 
-#include "app/cache/run_options.hpp"
 #include "app/errors/errors.hpp"
 #include "app/files/folder_lock.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/scene/scene.hpp"
 
 namespace spindrift::app {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/cache/run_options.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/run/run_record.hpp"
 #include "app/scene/scene.hpp"
 

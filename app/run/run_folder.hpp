@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cache/run_options.hpp"
 #include "app/errors/errors.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/run/run_record.hpp"
 #include "app/scene/scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/cache/disk_estimate.hpp"
+#include "app/resources/disk_estimate.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // Checks before a run whether it fits into the machine.
 #pragma once
 
-#include "app/cache/run_options.hpp"
 #include "app/errors/errors.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/scene/scene.hpp"
 
 namespace spindrift::app {

@@ -1,12 +1,12 @@
-#include "app/cache/resource_check.hpp"
+#include "app/resources/resource_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/cache/disk_estimate.hpp"
 #include "app/checks/estimate.hpp"
 #include "app/errors/errors.hpp"
+#include "app/resources/disk_estimate.hpp"
 #include "app/system/machine_limits.hpp"
 
 namespace spindrift::app {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "app/cache/run_options.hpp"
 #include "app/checks/estimate.hpp"
+#include "app/resources/run_options.hpp"
 #include "app/scene/scene.hpp"
 
 namespace spindrift::app {
