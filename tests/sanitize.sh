@@ -5,13 +5,12 @@
 # usage: tests/sanitize.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. tests/tools.sh
 readonly build=build/sanitize least_percent=90
 # Tests that open a GL context: drivers leak on purpose, so that leaks are not looked for there.
 readonly draws='^(gl|golden|render|pipeline|cli)'
 
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-quietly() { "$@" >"$log" 2>&1 || { cat "$log"; return 1; }; }
+need clang libclang-rt-dev libomp-dev llvm
 quietly cmake --preset sanitize
 quietly cmake --build --preset sanitize --parallel "$(nproc)"
 
@@ -33,7 +32,8 @@ for binary in "$build"/tests/test_* $(find "$build" -name 'libspindrift_*.so'); 
   [[ -f $binary && -x $binary ]] && binaries+=(-object "$binary")
 done
 llvm-cov report "$build/spindrift" "${binaries[@]}" -instr-profile "$build/profile" \
-  -ignore-filename-regex "^/usr/|^$PWD/(tests|build)/" >"$build/coverage.txt" 2>"$log" || { cat "$log"; exit 1; }
+  -ignore-filename-regex "^/usr/|^$PWD/(tests|build)/" >"$build/coverage.txt" 2>"$build/coverage.log" ||
+  { cat "$build/coverage.log"; exit 1; }
 # A file's columns 8 to 10 are its lines, those that did not run, and the percentage of those that did.
 awk -v least="$least_percent" '
   $1 ~ /^(sim|render|app)\// {

@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
-# Runs whole scenes in a program built with the thread sanitizer (cmake --preset thread), and fails where it sees a data
-# race: the pipeline's threads, the loops of OpenMP, moving bodies, emitters and sinks, both solvers, and a sweep's tasks.
-# usage: tests/threads.sh [BUILD FOLDER, build/thread if left out]
+# Builds the program with the thread sanitizer, runs whole scenes in it, and fails where it sees a data race: the
+# pipeline's threads, the loops of OpenMP, moving bodies, emitters and sinks, both solvers, and a sweep's tasks.
+# usage: tests/threads.sh
 #
-# tests/threads.supp says what it may report. LLVM's Archer tells the sanitizer how OpenMP orders its threads. Libraries that are not built with the sanitizer (Mesa,
-# libav) are left out, since it sees their accesses and not what orders them.
+# tests/threads.supp says what it may report. LLVM's Archer tells the sanitizer how OpenMP orders its threads. Libraries
+# that are not built with the sanitizer (Mesa, libav) are left out, since it sees their accesses and not what orders
+# them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-program=${1:-build/thread}/spindrift
+. tests/tools.sh
+need clang libclang-rt-dev libomp-dev
+quietly cmake --preset thread
+quietly cmake --build --preset thread --target spindrift --parallel "$(nproc)"
+program=build/thread/spindrift
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 archer=$(clang++ --print-resource-dir)/../../libarcher.so
