@@ -1,10 +1,8 @@
 // What becomes of a video's file: its name, and errors that leave nothing.
-#include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <vector>
 
 #include "video_support.hpp"

@@ -1,10 +1,7 @@
 // What a video shows and how long it lasts, read back from its file.
 #include <sched.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 #include <vector>
 
 #include "video_support.hpp"
